@@ -155,8 +155,8 @@ mod tests {
             for (direction, turn) in [(Direction::Ccw, 1), (Direction::Cw, -1)] {
                 let Feeds { towards, away } = quadrant.feeds(direction);
                 let moved = |feed: Feed| match feed.axis {
-                    Axis::X => [feed.sign as i64, 0],
-                    Axis::Y => [0, feed.sign as i64],
+                    Axis::X => [i64::from(feed.sign), 0],
+                    Axis::Y => [0, i64::from(feed.sign)],
                 };
                 for (feed, grows) in [(towards, false), (away, true)] {
                     let [dx, dy] = moved(feed);

@@ -1,0 +1,122 @@
+//! The circuit of the binary rate multiplier.
+
+use crate::trace::{Kind, Probe};
+use crate::{Circuit, word::mask};
+use onepulse_core::{self as software, Error, Pulse};
+
+/// A divider chain shared by all axes, a value register an axis, and the control flip-flop TG.
+///
+/// Starting (SD) clears the divider and sets TG; TG opens gate I, which lets the source clocks
+/// through; the divider's overflow resets TG.
+///
+/// ```text
+///  source ─▶[I]─▶ divider, n stages ──overflow──▶ resets TG
+///            ▲      │ │ │ │ stage pulses
+///           TG      & & & &  value bits, most significant bit with the fastest stage
+///                    \│ │/
+///                      OR ──▶ Δx
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Line<const AXES: usize = 2> {
+    registers: Registers,
+    /// The value registers, n bits; loaded once.
+    value: [u64; AXES],
+    negative: [bool; AXES],
+    bits: u32,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Registers {
+    /// The divider chain's flip-flops, n bits.
+    divider: u64,
+    tg: bool,
+}
+
+struct Wires<const AXES: usize> {
+    /// The stage that passes this clock, one-hot; stage 0 is the fastest.
+    stages: u64,
+    overflow: bool,
+    train: [bool; AXES],
+}
+
+impl<const AXES: usize> Line<AXES> {
+    /// The circuit, loaded with the line to `end`, with `bits` stages.
+    ///
+    /// # Errors
+    /// As [`onepulse_core::brm::Line::new`].
+    pub fn new(end: [i32; AXES], bits: u32) -> Result<Self, Error> {
+        software::brm::Line::new(end, bits)?;
+        Ok(Self {
+            registers: Registers {
+                divider: 0,
+                tg: true,
+            },
+            value: end.map(|c| u64::from(c.unsigned_abs())),
+            negative: end.map(|c| c < 0),
+            bits,
+        })
+    }
+
+    fn wires(&self) -> Wires<AXES> {
+        let Registers { divider, tg } = self.registers;
+        // The flip-flop that is about to rise: the lowest one that is clear.
+        let rising = (divider + 1) & !divider;
+        let stages = if tg { rising & mask(self.bits) } else { 0 };
+        let train = self.value.map(|value| {
+            (0..self.bits).any(|t| {
+                let passes = stages >> t & 1 == 1;
+                let gated = value >> (self.bits - 1 - t) & 1 == 1;
+                passes && gated
+            })
+        });
+        Wires {
+            stages,
+            overflow: tg && rising >> self.bits == 1,
+            train,
+        }
+    }
+
+    fn next(&self, wires: &Wires<AXES>) -> Registers {
+        let Registers { divider, tg } = self.registers;
+        Registers {
+            divider: (divider + u64::from(tg)) & mask(self.bits),
+            tg: tg && !wires.overflow,
+        }
+    }
+}
+
+impl<const AXES: usize> Circuit<AXES> for Line<AXES> {
+    const CLOCKS_PER_CYCLE: u64 = 1;
+    const NAME: &'static str = "brm_line";
+
+    fn pulses(&self) -> Pulse<AXES> {
+        let train = self.wires().train;
+        Pulse(core::array::from_fn(|axis| {
+            match (train[axis], self.negative[axis]) {
+                (false, _) => 0,
+                (true, false) => 1,
+                (true, true) => -1,
+            }
+        }))
+    }
+
+    fn done(&self) -> bool {
+        !self.registers.tg
+    }
+
+    fn clock(&mut self) {
+        self.registers = self.next(&self.wires());
+    }
+
+    fn probe(&self, probe: &mut impl Probe) {
+        let wires = self.wires();
+        probe.signal("tg", Kind::Bit, u64::from(self.registers.tg));
+        probe.signal("divider", Kind::Unsigned(self.bits), self.registers.divider);
+        probe.signal("stages", Kind::Unsigned(self.bits), wires.stages);
+        probe.signal("overflow", Kind::Bit, u64::from(wires.overflow));
+        for axis in 0..AXES {
+            probe.axis_signal("value_", axis, Kind::Unsigned(self.bits), self.value[axis]);
+            probe.axis_signal("train_", axis, Kind::Bit, u64::from(wires.train[axis]));
+        }
+    }
+}

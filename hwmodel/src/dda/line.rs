@@ -1,0 +1,130 @@
+//! The circuit of a straight line by digital integration.
+
+use crate::trace::{Kind, Probe};
+use crate::{Circuit, word::mask};
+use onepulse_core::dda::{self, Preset, Radix, Register};
+use onepulse_core::{Error, Pulse};
+
+/// One integrator an axis and one counter of accumulations for all.
+///
+/// ```text
+///            ┌─────┐  n   ┌───────┐ carry
+///  |end|·2^Q │ JVx ├──/──▶│ adder ├────────▶ Δx
+///            └─────┘   ┌─▶└───┬───┘
+///                      │      ▼ n
+///                      │   ┌─────┐              ┌────┐ = 0
+///                      └───┤ JRx │   2^(n−Q) ──▶│ JE ├──────▶ done
+///                          └─────┘    counts    └────┘
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Line<const AXES: usize = 2> {
+    registers: Registers<AXES>,
+    /// The sign flip-flops: set for an axis that runs in its negative direction.
+    negative: [bool; AXES],
+    bits: u32,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Registers<const AXES: usize> {
+    /// Integrands, n bits.
+    jv: [u64; AXES],
+    /// Remainders, n bits.
+    jr: [u64; AXES],
+    /// Accumulations still to be made, n + 1 bits.
+    je: u64,
+}
+
+struct Wires<const AXES: usize> {
+    sum: [u64; AXES],
+    carry: [bool; AXES],
+    done: bool,
+}
+
+impl<const AXES: usize> Line<AXES> {
+    /// The circuit, loaded with the line to `end`, in registers of `bits` bits.
+    ///
+    /// # Errors
+    /// As [`onepulse_core::dda::Line::new`] with a binary register.
+    pub fn new(
+        end: [i32; AXES],
+        bits: u32,
+        preset: Preset,
+        normalize: bool,
+    ) -> Result<Self, Error> {
+        let register = Register::new(Radix::Binary, bits)?;
+        let shift = dda::Line::new(end, register, preset, normalize)?.shift();
+        let registers = Registers {
+            jv: end.map(|c| (u64::from(c.unsigned_abs()) << shift) & mask(bits)),
+            jr: [match preset {
+                Preset::Zero => 0,
+                Preset::Half => 1 << (bits - 1),
+                Preset::Full => mask(bits),
+            }; AXES],
+            je: 1 << (bits - shift),
+        };
+        Ok(Self {
+            registers,
+            negative: end.map(|c| c < 0),
+            bits,
+        })
+    }
+
+    fn wires(&self) -> Wires<AXES> {
+        let q = &self.registers;
+        let done = q.je == 0;
+        let sum = core::array::from_fn(|axis| q.jr[axis] + q.jv[axis]);
+        Wires {
+            sum,
+            carry: sum.map(|sum| !done && sum >> self.bits == 1),
+            done,
+        }
+    }
+
+    fn next(&self, wires: &Wires<AXES>) -> Registers<AXES> {
+        if wires.done {
+            return self.registers;
+        }
+        Registers {
+            jv: self.registers.jv,
+            jr: wires.sum.map(|sum| sum & mask(self.bits)),
+            je: self.registers.je - 1,
+        }
+    }
+}
+
+impl<const AXES: usize> Circuit<AXES> for Line<AXES> {
+    const CLOCKS_PER_CYCLE: u64 = 1;
+    const NAME: &'static str = "dda_line";
+
+    fn pulses(&self) -> Pulse<AXES> {
+        let carry = self.wires().carry;
+        Pulse(core::array::from_fn(|axis| {
+            match (carry[axis], self.negative[axis]) {
+                (false, _) => 0,
+                (true, false) => 1,
+                (true, true) => -1,
+            }
+        }))
+    }
+
+    fn done(&self) -> bool {
+        self.wires().done
+    }
+
+    fn clock(&mut self) {
+        self.registers = self.next(&self.wires());
+    }
+
+    fn probe(&self, probe: &mut impl Probe) {
+        let q = &self.registers;
+        let wires = self.wires();
+        for axis in 0..AXES {
+            probe.axis_signal("carry_", axis, Kind::Bit, u64::from(wires.carry[axis]));
+        }
+        for axis in 0..AXES {
+            probe.axis_signal("jv", axis, Kind::Unsigned(self.bits), q.jv[axis]);
+            probe.axis_signal("jr", axis, Kind::Unsigned(self.bits), q.jr[axis]);
+        }
+        probe.signal("je", Kind::Unsigned(self.bits + 1), q.je);
+    }
+}

@@ -1,0 +1,9 @@
+//! Digital integrators: integrand register, adder, remainder register; the carry is the pulse.
+
+mod arc;
+mod centred_arc;
+mod line;
+
+pub use arc::Arc;
+pub use centred_arc::CentredArc;
+pub use line::Line;

@@ -1,0 +1,39 @@
+//! The interpolators of `onepulse-core` as digital logic, clock by clock and bit by bit.
+//!
+//! A circuit is a struct of *registers* of fixed width. Its clock has two phases, as in
+//! synchronous hardware: the combinational part computes every register's next content and
+//! every wire from the present contents, then the clock edge commits them all at once. The carry
+//! out of an adder *is* the pulse. Folders, files and names are those of `onepulse-core`, so
+//! that the two can be read side by side:
+//!
+//! | circuit | clocks a cycle | as in the core |
+//! |---|---|---|
+//! | [`dda::Line`] | 1 | [`onepulse_core::dda::Line`], radix 2 |
+//! | [`dda::Arc`] | 1 | [`onepulse_core::dda::Arc`] |
+//! | [`dda::CentredArc`] | 1 | [`onepulse_core::dda::CentredArc`] |
+//! | [`ppc::Line`], [`ppc::Arc`] | 4, one a beat | [`onepulse_core::ppc`] |
+//! | [`brm::Line`] | 1 | [`onepulse_core::brm::Line`] |
+//!
+//! [`trace`] writes their waves as VCD or FST.
+//!
+//! ```
+//! use onepulse_core::{Pulse, dda::Preset};
+//! use onepulse_hwmodel::{Circuit, dda};
+//!
+//! let mut circuit = dda::Line::new([4, 6], 3, Preset::Zero, false)?;
+//! assert_eq!(circuit.pulses(), Pulse([0, 0])); // 0 + 4 and 0 + 6: no carry out of 3 bits
+//! circuit.clock();
+//! assert_eq!(circuit.pulses(), Pulse([1, 1])); // 4 + 4 and 6 + 6 overflow
+//! # Ok::<(), onepulse_core::Error>(())
+//! ```
+
+pub mod brm;
+mod circuit;
+pub mod dda;
+pub mod ppc;
+mod sweep;
+pub mod trace;
+mod word;
+
+pub use circuit::{Circuit, Cycles};
+pub use sweep::Sweep;

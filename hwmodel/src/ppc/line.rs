@@ -1,0 +1,137 @@
+//! The circuit of a straight line by point-by-point comparison.
+
+use super::{Beat, end::EndCounter};
+use crate::Circuit;
+use crate::trace::{Kind, Probe};
+use crate::word::wrap;
+use onepulse_core::dda::{Radix, Register};
+use onepulse_core::{Axis, EndRule, Error, Pulse};
+
+/// One adder, the deviation register F, and the end point's magnitudes XE and YE.
+///
+/// ```text
+///  judge     FX ← F ≥ 0 and x not done, or y done    which axis is due
+///  feed      pulse on x if FX, else on y
+///  update    F ← F − YE if FX, else F + XE
+///  compare   JEx or JEy, and E, count the pulse
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Line {
+    registers: Registers,
+    /// Magnitudes of the end point, n bits; loaded once.
+    end: [u32; 2],
+    negative: [bool; 2],
+    bits: u32,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Registers {
+    beat: Beat,
+    /// Which axis is due.
+    due: Axis,
+    /// The deviation function, n + 1 bits, signed.
+    f: i64,
+    /// The axes' own end counters, n bits.
+    je: [u32; 2],
+    end: EndCounter,
+}
+
+impl Line {
+    /// The circuit, loaded with the line to `end`, in registers of `bits` bits.
+    ///
+    /// # Errors
+    /// A width of 0 or over 32 bits; an end coordinate that does not fit.
+    pub fn new(end: [i32; 2], bits: u32, rule: EndRule) -> Result<Self, Error> {
+        Register::new(Radix::Binary, bits)?;
+        let magnitude = end.map(i32::unsigned_abs);
+        let needed = Register::holding(Radix::Binary, magnitude[0].max(magnitude[1])).digits();
+        if bits < needed {
+            return Err(Error::RegisterTooNarrow {
+                digits: bits,
+                needed,
+            });
+        }
+        let registers = Registers {
+            beat: Beat::Judge,
+            due: Axis::X,
+            f: 0,
+            je: magnitude,
+            end: EndCounter::new(rule, magnitude.map(u64::from)),
+        };
+        Ok(Self {
+            registers,
+            end: magnitude,
+            negative: end.map(|c| c < 0),
+            bits,
+        })
+    }
+
+    fn next(&self) -> Registers {
+        let q = &self.registers;
+        let mut next = *q;
+        if self.done() {
+            return next;
+        }
+        next.beat = q.beat.next();
+        match q.beat {
+            Beat::Judge => {
+                let feeds_x = q.f >= 0 && q.je[0] != 0 || q.je[1] == 0;
+                next.due = if feeds_x { Axis::X } else { Axis::Y };
+            }
+            Beat::Feed => {}
+            Beat::Update => {
+                let change = match q.due {
+                    Axis::X => -i64::from(self.end[1]),
+                    Axis::Y => i64::from(self.end[0]),
+                };
+                next.f = wrap(q.f + change, self.bits + 1);
+            }
+            Beat::Compare => {
+                next.je[q.due.index()] -= 1;
+                next.end = q.end.next(q.due);
+            }
+        }
+        next
+    }
+}
+
+impl Circuit for Line {
+    const CLOCKS_PER_CYCLE: u64 = 4;
+    const NAME: &'static str = "ppc_line";
+
+    fn pulses(&self) -> Pulse {
+        match self.registers {
+            Registers {
+                beat: Beat::Feed,
+                due,
+                ..
+            } => Pulse::on(due, if self.negative[due.index()] { -1 } else { 1 }),
+            _ => Pulse::NONE,
+        }
+    }
+
+    fn done(&self) -> bool {
+        let q = &self.registers;
+        q.beat == Beat::Judge && q.end.done(q.je == [0, 0])
+    }
+
+    fn clock(&mut self) {
+        self.registers = self.next();
+    }
+
+    fn probe(&self, probe: &mut impl Probe) {
+        let q = &self.registers;
+        probe.signal("beat", Kind::Word(Beat::WORDS), q.beat as u64);
+        probe.signal("fx", Kind::Bit, u64::from(q.due == Axis::X));
+        probe.signal("f", Kind::Signed(self.bits + 1), q.f as u64);
+        for axis in 0..2 {
+            let magnitude = u64::from(self.end[axis]);
+            probe.axis_signal("end_", axis, Kind::Unsigned(self.bits), magnitude);
+        }
+        for axis in 0..2 {
+            let to_go = u64::from(q.je[axis]);
+            probe.axis_signal("je", axis, Kind::Unsigned(self.bits), to_go);
+        }
+        probe.signal("e", Kind::Unsigned(self.bits + 1), q.end.e);
+    }
+}

@@ -1,0 +1,94 @@
+//! What stands round a circuit in a trace: its clock, its pulse outputs and position counters.
+
+use super::{Kind, SignalList, Tracer, Wave};
+use crate::Circuit;
+use onepulse_core::Pulse;
+
+/// The letters of the axes, in the order of their coordinates.
+pub(super) const AXIS_LETTERS: [&str; 9] = ["x", "y", "z", "a", "b", "c", "u", "v", "w"];
+
+/// The top scope of a trace: `clk`, and for each axis the pulse, its direction (1: negative) and
+/// an up/down counter of the position, which counts the pulse at the following clock edge.
+#[derive(Clone, Debug)]
+pub struct Bench<const AXES: usize> {
+    clk: usize,
+    axes: [Outputs; AXES],
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Outputs {
+    pulse: usize,
+    negative: usize,
+    position: usize,
+    counted: i64,
+    is_negative: bool,
+}
+
+impl<const AXES: usize> Bench<AXES> {
+    /// Bits of a position counter: any `i32` coordinate, and what an arc may step beyond it.
+    const POSITION_BITS: u32 = 34;
+
+    /// Adds the signals to the list; the position counters start at `position`.
+    pub fn declare(list: &mut SignalList, position: [i64; AXES]) -> Self {
+        let clk = list.add("clk", Kind::Bit);
+        let mut each = |stem: &str, kind| -> [usize; AXES] {
+            core::array::from_fn(|axis| list.add(&format!("{stem}_{}", AXIS_LETTERS[axis]), kind))
+        };
+        let pulse = each("pulse", Kind::Bit);
+        let negative = each("negative", Kind::Bit);
+        let counter = each("position", Kind::Signed(Self::POSITION_BITS));
+        let axes = core::array::from_fn(|axis| Outputs {
+            pulse: pulse[axis],
+            negative: negative[axis],
+            position: counter[axis],
+            counted: position[axis],
+            is_negative: false,
+        });
+        Self { clk, axes }
+    }
+
+    /// Traces one clock period of a circuit, whose first signal is number `first`, and lets the
+    /// circuit take the edge that ends it. The period begins at the time `rise`, and the clock
+    /// falls at `fall`.
+    ///
+    /// The tracer keeps an error of the output for its [`check`](Tracer::check).
+    pub fn clock<W: Wave, C: Circuit<AXES>>(
+        &mut self,
+        tracer: &mut Tracer<W>,
+        first: usize,
+        circuit: &mut C,
+        rise: u64,
+        fall: u64,
+    ) -> Pulse<AXES> {
+        self.sample(tracer, first, circuit, rise);
+        tracer.at(fall);
+        tracer.set(self.clk, 0);
+        let pulses = circuit.pulses();
+        for (axis, pulse) in self.axes.iter_mut().zip(pulses.0) {
+            axis.counted += i64::from(pulse);
+        }
+        circuit.clock();
+        pulses
+    }
+
+    /// Traces a rising clock edge and what a circuit shows after it.
+    pub fn sample<W: Wave, C: Circuit<AXES>>(
+        &mut self,
+        tracer: &mut Tracer<W>,
+        first: usize,
+        circuit: &C,
+        rise: u64,
+    ) {
+        tracer.at(rise);
+        tracer.set(self.clk, 1);
+        for (axis, pulse) in self.axes.iter_mut().zip(circuit.pulses().0) {
+            tracer.set(axis.pulse, u64::from(pulse != 0));
+            if pulse != 0 {
+                axis.is_negative = pulse < 0;
+            }
+            tracer.set(axis.negative, u64::from(axis.is_negative));
+            tracer.set(axis.position, axis.counted as u64);
+        }
+        tracer.sample(first, circuit);
+    }
+}

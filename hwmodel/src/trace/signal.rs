@@ -1,0 +1,142 @@
+//! What a signal is.
+
+use super::bench::AXIS_LETTERS;
+use crate::Circuit;
+use std::collections::HashSet;
+use std::io;
+
+/// What a signal's value means and how wide it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// One bit.
+    Bit,
+    /// An unsigned number of so many bits.
+    Unsigned(u32),
+    /// A two's complement number of so many bits.
+    Signed(u32),
+    /// A state, shown as a word: the value is the place in this list.
+    Word(&'static [&'static str]),
+}
+
+/// One signal of a trace.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Signal {
+    /// The scope below the top one; empty for the top scope itself.
+    pub scope: &'static str,
+    /// The signal's name.
+    pub name: String,
+    /// What its value means.
+    pub kind: Kind,
+}
+
+/// What a circuit shows its signals to.
+pub trait Probe {
+    /// A signal named for one axis: `stem` followed by the axis' letter.
+    fn axis_signal(&mut self, stem: &'static str, axis: usize, kind: Kind, value: u64);
+
+    /// A signal and its present value.
+    fn signal(&mut self, name: &'static str, kind: Kind, value: u64);
+}
+
+/// The signals of a trace, in the order of their numbers.
+#[derive(Clone, Debug, Default)]
+pub struct SignalList {
+    signals: Vec<Signal>,
+}
+
+impl SignalList {
+    /// The name of the scope that contains all others.
+    pub const TOP: &str = "onepulse";
+
+    /// An empty list.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The signals.
+    #[must_use]
+    pub fn signals(&self) -> &[Signal] {
+        &self.signals
+    }
+
+    /// Adds a signal to the top scope; its number.
+    pub fn add(&mut self, name: &str, kind: Kind) -> usize {
+        self.signals.push(Signal {
+            scope: "",
+            name: name.to_owned(),
+            kind,
+        });
+        self.signals.len() - 1
+    }
+
+    /// Adds the signals of a circuit, in a scope of its name; the number of the first one.
+    pub fn add_circuit<C: Circuit<AXES>, const AXES: usize>(&mut self, circuit: &C) -> usize {
+        let first = self.signals.len();
+        circuit.probe(&mut Declaration {
+            scope: C::NAME,
+            signals: &mut self.signals,
+        });
+        first
+    }
+
+    /// Refuses what a wave file would take without a word and no viewer could show: two signals
+    /// of one name in one scope, a blank in a name or a word, a width that is not 1 to 64.
+    pub(super) fn check(&self) -> io::Result<()> {
+        let refuse = |why: String| Err(io::Error::new(io::ErrorKind::InvalidInput, why));
+        let mut seen = HashSet::new();
+        for Signal { scope, name, kind } in &self.signals {
+            if !seen.insert((scope, name)) {
+                return refuse(format!("two signals are named {scope}.{name}"));
+            }
+            let is_blank = |text: &str| text.is_empty() || text.contains(char::is_whitespace);
+            let words: &[&str] = if let Kind::Word(words) = kind {
+                words
+            } else {
+                &[]
+            };
+            if is_blank(name) || words.iter().any(|word| is_blank(word)) {
+                return refuse(format!("a name or a word of {scope}.{name} is blank"));
+            }
+            if !(1..=64).contains(&kind.bits()) {
+                return refuse(format!("{scope}.{name} is {} bits wide", kind.bits()));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Kind {
+    /// The number of bits; 1 for a word.
+    #[must_use]
+    pub const fn bits(self) -> u32 {
+        match self {
+            Self::Bit | Self::Word(_) => 1,
+            Self::Unsigned(bits) | Self::Signed(bits) => bits,
+        }
+    }
+}
+
+struct Declaration<'a> {
+    scope: &'static str,
+    signals: &'a mut Vec<Signal>,
+}
+
+impl Probe for Declaration<'_> {
+    fn axis_signal(&mut self, stem: &'static str, axis: usize, kind: Kind, _: u64) {
+        let letter = AXIS_LETTERS[axis];
+        self.signals.push(Signal {
+            scope: self.scope,
+            name: format!("{stem}{letter}"),
+            kind,
+        });
+    }
+
+    fn signal(&mut self, name: &'static str, kind: Kind, _: u64) {
+        self.signals.push(Signal {
+            scope: self.scope,
+            name: name.to_owned(),
+            kind,
+        });
+    }
+}

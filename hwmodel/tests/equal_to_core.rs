@@ -1,0 +1,238 @@
+//! Every circuit sends the pulses of its software counterpart, cycle for cycle.
+
+#![allow(clippy::unwrap_used)]
+
+use onepulse_core::dda::{Preset, Radix, Register};
+use onepulse_core::{Direction, EndRule, Pulse};
+use onepulse_core::{brm as soft_brm, dda as soft_dda, ppc as soft_ppc};
+use onepulse_hwmodel::{Circuit, brm, dda, ppc};
+use proptest::prelude::*;
+use std::fmt::Debug;
+
+const PRESETS: [Preset; 3] = [Preset::Zero, Preset::Half, Preset::Full];
+const RULES: [EndRule; 3] = [EndRule::Total, EndRule::PerAxis, EndRule::Larger];
+const DIRECTIONS: [Direction; 2] = [Direction::Cw, Direction::Ccw];
+
+/// Both run to the end, or are both refused for the same reason.
+fn assert_equal<S, C, E, const AXES: usize>(
+    software: Result<S, E>,
+    circuit: Result<C, E>,
+    what: impl Debug,
+) where
+    S: Iterator<Item = Pulse<AXES>>,
+    C: Circuit<AXES>,
+    E: Debug + PartialEq,
+{
+    match (software, circuit) {
+        (Ok(mut software), Ok(circuit)) => {
+            let mut circuit = circuit.cycles();
+            for cycle in 1.. {
+                let (soft, hard) = (software.next(), circuit.next());
+                assert_eq!(
+                    soft, hard,
+                    "cycle {cycle} of {what:?}: software left, circuit right"
+                );
+                if soft.is_none() {
+                    break;
+                }
+            }
+        }
+        (software, circuit) => assert_eq!(software.err(), circuit.err(), "{what:?}"),
+    }
+}
+
+fn binary(bits: u32) -> Register {
+    Register::new(Radix::Binary, bits).unwrap()
+}
+
+fn dda_line(end: [i32; 2], bits: u32, preset: Preset, normalize: bool) {
+    assert_equal(
+        soft_dda::Line::new(end, binary(bits), preset, normalize),
+        dda::Line::new(end, bits, preset, normalize),
+        ("dda line", end, bits, preset, normalize),
+    );
+}
+
+fn arcs(start: [i32; 2], end: [i32; 2], direction: Direction, bits: u32) {
+    for normalize in [false, true] {
+        for preset in PRESETS {
+            assert_equal(
+                soft_dda::Arc::new(start, end, direction, binary(bits), preset, normalize),
+                dda::Arc::new(start, end, direction, bits, preset, normalize),
+                ("dda arc", start, end, direction, bits, preset, normalize),
+            );
+        }
+        assert_equal(
+            soft_dda::CentredArc::new(start, end, direction, binary(bits), normalize),
+            dda::CentredArc::new(start, end, direction, bits, normalize),
+            ("centred arc", start, end, direction, bits, normalize),
+        );
+    }
+    ppc_arc(start, end, direction);
+}
+
+fn ppc_arc(start: [i32; 2], end: [i32; 2], direction: Direction) {
+    let narrowest = ppc::Arc::bits(start, end, direction).unwrap_or(32);
+    for rule in RULES {
+        assert_equal(
+            soft_ppc::Arc::new(start, end, direction, rule),
+            ppc::Arc::new(start, end, direction, narrowest, rule),
+            ("ppc arc", start, end, direction, rule),
+        );
+    }
+}
+
+/// Lattice points with coordinates in −most..=most.
+fn points(most: i32) -> impl Iterator<Item = [i32; 2]> {
+    (-most..=most).flat_map(move |x| (-most..=most).map(move |y| [x, y]))
+}
+
+#[test]
+fn every_line_of_up_to_6_bits() {
+    for bits in 1..=6 {
+        for end in points((1 << bits) - 1) {
+            for preset in PRESETS {
+                dda_line(end, bits, preset, false);
+                dda_line(end, bits, preset, true);
+            }
+            assert_equal(
+                soft_brm::Line::new(end, bits),
+                brm::Line::new(end, bits),
+                ("brm line", end, bits),
+            );
+            for rule in RULES {
+                assert_equal(
+                    soft_ppc::Line::new(end, rule),
+                    ppc::Line::new(end, bits, rule),
+                    ("ppc line", end, bits, rule),
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn every_arc_between_lattice_points_of_up_to_6_bits() {
+    for bits in 2..=6 {
+        let most: i32 = (1 << bits) - 1;
+        let square = |[x, y]: [i32; 2]| x * x + y * y;
+        let mut rings = std::collections::BTreeMap::<i32, Vec<[i32; 2]>>::new();
+        for point in points(most).filter(|&p| square(p) > 0 && square(p) <= most * most) {
+            rings.entry(square(point)).or_default().push(point);
+        }
+        for ring in rings.values() {
+            for &start in ring {
+                for &end in ring {
+                    for direction in DIRECTIONS {
+                        arcs(start, end, direction, bits);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_end_point_off_the_circle_of_3_bits() {
+    for start in points(4) {
+        for end in points(7) {
+            for direction in DIRECTIONS {
+                arcs(start, end, direction, 4);
+            }
+        }
+    }
+}
+
+#[test]
+fn more_axes_share_the_counter() {
+    for preset in PRESETS {
+        let end = [5, -13, 0, 9];
+        assert_equal(
+            soft_dda::Line::new(end, binary(4), preset, false),
+            dda::Line::new(end, 4, preset, false),
+            end,
+        );
+    }
+    let end = [5, -13, 7];
+    assert_equal(soft_brm::Line::new(end, 4), brm::Line::new(end, 4), end);
+}
+
+/// A coordinate of up to `bits` bits with its sign, the boundaries more often.
+fn coordinate(bits: u32) -> impl Strategy<Value = i32> {
+    let most = ((1_i64 << bits) - 1) as i32;
+    prop_oneof![3 => -most..=most, 1 => Just(most), 1 => Just(-most), 1 => Just(0)]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(400) })]
+
+    #[test]
+    fn lines_at_random_widths(
+        (bits, end) in (2_u32..=16).prop_flat_map(|b| (Just(b), [coordinate(b), coordinate(b)])),
+        preset in 0..3_usize,
+        rule in 0..3_usize,
+        normalize: bool,
+    ) {
+        dda_line(end, bits, PRESETS[preset], normalize);
+        assert_equal(soft_brm::Line::new(end, bits), brm::Line::new(end, bits), (end, bits));
+        assert_equal(
+            soft_ppc::Line::new(end, RULES[rule]),
+            ppc::Line::new(end, bits, RULES[rule]),
+            (end, bits),
+        );
+    }
+
+    #[test]
+    fn arcs_at_random_widths(
+        start in (2_u32..=9).prop_flat_map(|b| [coordinate(b), coordinate(b)]),
+        end in (2_u32..=9).prop_flat_map(|b| [coordinate(b), coordinate(b)]),
+        extra in 0..3_u32,
+        ccw: bool,
+    ) {
+        let direction = DIRECTIONS[usize::from(ccw)];
+        let bits = soft_dda::CentredArc::bits(start, end, direction).unwrap_or(4) + extra;
+        arcs(start, end, direction, bits);
+    }
+
+    /// Wide registers, in which a whole run would take too long: the first cycles.
+    #[test]
+    fn the_first_cycles_at_full_width(
+        end in [any::<i32>(), any::<i32>()],
+        start in [any::<i32>(), any::<i32>()],
+        bits in 17_u32..=32,
+        ccw: bool,
+        normalize: bool,
+    ) {
+        const CYCLES: usize = 5000;
+        let narrowed = |c: i32| c >> (33 - bits);
+        let (start, end) = (start.map(narrowed), end.map(narrowed));
+        let direction = DIRECTIONS[usize::from(ccw)];
+        for preset in PRESETS {
+            if let (Ok(soft), Ok(hard)) = (
+                soft_dda::Line::new(end, binary(bits), preset, normalize),
+                dda::Line::new(end, bits, preset, normalize),
+            ) {
+                prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
+            }
+            if let (Ok(soft), Ok(hard)) = (
+                soft_dda::Arc::new(start, end, direction, binary(bits), preset, normalize),
+                dda::Arc::new(start, end, direction, bits, preset, normalize),
+            ) {
+                prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
+            }
+        }
+        let soft = soft_dda::CentredArc::new(start, end, direction, binary(bits), normalize);
+        let hard = dda::CentredArc::new(start, end, direction, bits, normalize);
+        prop_assert_eq!(soft.err(), hard.err());
+        if let (Ok(soft), Ok(hard)) = (soft, hard) {
+            prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
+        }
+        let soft = soft_ppc::Arc::new(start, end, direction, EndRule::Total);
+        if let (Ok(soft), Ok(hard)) = (soft, ppc::Arc::new(start, end, direction, 32, EndRule::Total)) {
+            prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
+        }
+        let soft = soft_ppc::Line::new(end, EndRule::Total).unwrap();
+        let hard = ppc::Line::new(end, 32, EndRule::Total).unwrap();
+        prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
+    }
+}
