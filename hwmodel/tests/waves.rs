@@ -1,5 +1,5 @@
 //! What the wave files say, read back with other people's readers.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::expect_used)]
 
 use onepulse_core::dda::Preset;
 use onepulse_core::{Direction, EndRule};
@@ -19,7 +19,7 @@ type Changes = BTreeMap<String, Vec<(u64, String)>>;
 /// Traces a circuit to its end, as `<dir>/wave.vcd` and `<dir>/wave.fst`.
 fn trace<C: Circuit<AXES> + Clone, const AXES: usize>(dir: &Path, circuit: &C, hertz: u64) {
     let mut list = SignalList::new();
-    let bench = Bench::declare(&mut list, [0; AXES]);
+    let bench = Bench::declare(&mut list, &[0; AXES]);
     let first = list.add_circuit(circuit);
     let clock = Clock::new(hertz).unwrap();
     let open = |name: &str| BufWriter::new(File::create(dir.join(name)).unwrap());
@@ -43,7 +43,7 @@ fn trace<C: Circuit<AXES> + Clone, const AXES: usize>(dir: &Path, circuit: &C, h
 
 fn run<W: Wave, C: Circuit<AXES>, const AXES: usize>(
     mut tracer: Tracer<W>,
-    mut bench: Bench<AXES>,
+    mut bench: Bench,
     first: usize,
     mut circuit: C,
     clock: Clock,
@@ -296,7 +296,7 @@ fn every_circuit_is_traced_faithfully() {
 fn the_layout_names_every_signal_of_the_wave() {
     let circuit = ppc::Line::new([5, 3], 3, EndRule::Total).unwrap();
     let mut list = SignalList::new();
-    Bench::declare(&mut list, [0; 2]);
+    Bench::declare(&mut list, &[0; 2]);
     list.add_circuit(&circuit);
     let layout = gtkw("wave.vcd", &list);
     let shown: Vec<_> = layout

@@ -10,9 +10,9 @@ pub(super) const AXIS_LETTERS: [&str; 9] = ["x", "y", "z", "a", "b", "c", "u", "
 /// The top scope of a trace: `clk`, and for each axis the pulse, its direction (1: negative) and
 /// an up/down counter of the position, which counts the pulse at the following clock edge.
 #[derive(Clone, Debug)]
-pub struct Bench<const AXES: usize> {
+pub struct Bench {
     clk: usize,
-    axes: [Outputs; AXES],
+    axes: Vec<Outputs>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -24,27 +24,34 @@ struct Outputs {
     is_negative: bool,
 }
 
-impl<const AXES: usize> Bench<AXES> {
+impl Bench {
     /// Bits of a position counter: any `i32` coordinate, and what an arc may step beyond it.
     const POSITION_BITS: u32 = 34;
 
-    /// Adds the signals to the list; the position counters start at `position`.
-    pub fn declare(list: &mut SignalList, position: [i64; AXES]) -> Self {
+    /// Adds the signals of so many axes to the list; the position counters start at `position`.
+    pub fn declare(list: &mut SignalList, position: &[i64]) -> Self {
         let clk = list.add("clk", Kind::Bit);
-        let mut each = |stem: &str, kind| -> [usize; AXES] {
-            core::array::from_fn(|axis| list.add(&format!("{stem}_{}", AXIS_LETTERS[axis]), kind))
+        let mut each = |stem: &str, kind| -> Vec<usize> {
+            let letters = AXIS_LETTERS.iter().take(position.len());
+            letters
+                .map(|letter| list.add(&format!("{stem}_{letter}"), kind))
+                .collect()
         };
         let pulse = each("pulse", Kind::Bit);
         let negative = each("negative", Kind::Bit);
         let counter = each("position", Kind::Signed(Self::POSITION_BITS));
-        let axes = core::array::from_fn(|axis| Outputs {
-            pulse: pulse[axis],
-            negative: negative[axis],
-            position: counter[axis],
-            counted: position[axis],
+        let outputs = pulse.into_iter().zip(negative).zip(counter).zip(position);
+        let axes = outputs.map(|(((pulse, negative), position), &counted)| Outputs {
+            pulse,
+            negative,
+            position,
+            counted,
             is_negative: false,
         });
-        Self { clk, axes }
+        Self {
+            clk,
+            axes: axes.collect(),
+        }
     }
 
     /// Traces one clock period of a circuit, whose first signal is number `first`, and lets the
@@ -52,7 +59,7 @@ impl<const AXES: usize> Bench<AXES> {
     /// falls at `fall`.
     ///
     /// The tracer keeps an error of the output for its [`check`](Tracer::check).
-    pub fn clock<W: Wave, C: Circuit<AXES>>(
+    pub fn clock<W: Wave, C: Circuit<AXES>, const AXES: usize>(
         &mut self,
         tracer: &mut Tracer<W>,
         first: usize,
@@ -72,7 +79,7 @@ impl<const AXES: usize> Bench<AXES> {
     }
 
     /// Traces a rising clock edge and what a circuit shows after it.
-    pub fn sample<W: Wave, C: Circuit<AXES>>(
+    pub fn sample<W: Wave, C: Circuit<AXES>, const AXES: usize>(
         &mut self,
         tracer: &mut Tracer<W>,
         first: usize,

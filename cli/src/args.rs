@@ -1,0 +1,162 @@
+//! The command line.
+
+use crate::choice::{EndRuleName, MethodName, PresetName, UpdateName};
+use crate::curve::{Curve, PlanePoint, Point};
+use crate::table::{Format, Language};
+use clap::{Args, Parser, Subcommand};
+use onepulse_core::Direction;
+use std::path::PathBuf;
+
+/// NC interpolation: a G-code program, or one curve, into pulses, tables, waves and pictures.
+#[derive(Debug, Parser)]
+#[command(name = "onepulse", version, propagate_version = true)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// The pulses of one curve as CSV
+    Pulses(CurveArguments),
+    /// The step table of one curve as a textbook prints it
+    Table(TableArguments),
+    /// The hardware model's wave of one curve
+    Wave(WaveArguments),
+    /// A G-code program: pulses, waves, a picture and a report
+    Run(Box<RunArguments>),
+}
+
+/// A curve and how to interpolate it.
+#[derive(Debug, Args)]
+pub(crate) struct CurveArguments {
+    #[command(subcommand)]
+    curve: CurveCommand,
+    #[command(flatten)]
+    pub(crate) options: Options,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct TableArguments {
+    #[command(flatten)]
+    pub(crate) curve: CurveArguments,
+    /// How to write the table
+    #[arg(long, value_enum, default_value_t, global = true)]
+    pub(crate) format: Format,
+    /// The language of headings and words
+    #[arg(long, value_enum, default_value_t, global = true)]
+    pub(crate) lang: Language,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct WaveArguments {
+    #[command(flatten)]
+    pub(crate) curve: CurveArguments,
+    /// The wave file, .vcd or .fst; a .gtkw layout is written beside it
+    #[arg(short, long, value_name = "FILE", global = true)]
+    pub(crate) output: Option<PathBuf>,
+    /// Frequency of the pulse source, which times the interpolation cycles, in hertz
+    #[arg(long, value_name = "HZ", default_value_t = 1_000_000, global = true)]
+    pub(crate) source_hz: u64,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RunArguments {
+    /// The G-code program
+    pub(crate) program: PathBuf,
+    /// The machine: pulse equivalent, speeds, registers
+    #[arg(long, value_name = "machine.toml")]
+    pub(crate) config: Option<PathBuf>,
+    /// Where to write waves.vcd, waves.gtkw, pulses.csv, path.svg and report.json
+    #[arg(long, value_name = "DIR", default_value = "out")]
+    pub(crate) out: PathBuf,
+    /// Write no waves (the hardware model still runs and is compared)
+    #[arg(long)]
+    pub(crate) no_waves: bool,
+    /// The pulse equivalent in millimetres
+    #[arg(long, value_name = "MM")]
+    pub(crate) pulse_mm: Option<String>,
+    #[command(flatten)]
+    pub(crate) options: Options,
+}
+
+#[derive(Debug, Subcommand)]
+enum CurveCommand {
+    /// A line from the origin
+    Line {
+        /// The end point, 2 to 4 axes
+        #[arg(long, value_name = "X,Y[,Z[,A]]", allow_hyphen_values = true)]
+        to: Point,
+    },
+    /// An arc about the origin; equal ends mean a full circle
+    #[command(group(clap::ArgGroup::new("sense").required(true).args(["cw", "ccw"])))]
+    Arc {
+        /// The start point
+        #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+        from: PlanePoint,
+        /// The end point
+        #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+        to: PlanePoint,
+        /// Clockwise
+        #[arg(long)]
+        cw: bool,
+        /// Counter-clockwise
+        #[arg(long)]
+        ccw: bool,
+    },
+}
+
+/// How to interpolate.
+#[derive(Clone, Debug, Default, Args)]
+#[command(next_help_heading = "Interpolation")]
+pub(crate) struct Options {
+    /// The interpolation method [default: ppc]
+    #[arg(long, value_enum, global = true)]
+    pub(crate) method: Option<MethodName>,
+    /// When point-by-point comparison has arrived [default: total]
+    #[arg(long, value_enum, global = true)]
+    pub(crate) end_rule: Option<EndRuleName>,
+    /// Register width [default: the smallest that serves the curve]
+    #[arg(long, value_name = "N", global = true)]
+    pub(crate) bits: Option<u32>,
+    /// Register radix of DDA lines, 2 or 10: --bits then counts digits [default: 2]
+    #[arg(long, value_name = "2|10", global = true, value_parser = ["2", "10"])]
+    pub(crate) radix: Option<String>,
+    /// What the DDA remainder registers start with [default: zero; half for staggered arcs]
+    #[arg(long, value_enum, global = true)]
+    pub(crate) preset: Option<PresetName>,
+    /// Shift the DDA integrands left first
+    #[arg(long, global = true)]
+    pub(crate) normalize: bool,
+    /// DDA arcs: the centred staggered circuit, or the textbook's [default: staggered]
+    #[arg(long, value_enum, global = true)]
+    pub(crate) update: Option<UpdateName>,
+}
+
+impl CurveArguments {
+    /// The curve.
+    pub(crate) fn curve(&self) -> Curve {
+        match &self.curve {
+            CurveCommand::Line { to } => Curve::Line { to: to.0.clone() },
+            CurveCommand::Arc { from, to, cw, .. } => {
+                let direction = if *cw { Direction::Cw } else { Direction::Ccw };
+                Curve::Arc {
+                    from: from.0,
+                    to: to.0,
+                    direction,
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Arguments::command().debug_assert();
+    }
+}

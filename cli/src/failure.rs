@@ -1,0 +1,89 @@
+//! How a command fails: what is said, and with which exit status.
+
+use ariadne::{Config, IndexType, Label, Report, ReportKind, Source};
+use onepulse_plan::Diagnostic;
+use std::io::{self, IsTerminal};
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Why a command did not do what was asked.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// The command line is wrong.
+    Usage(String),
+    /// A file or a check is at fault.
+    Fault(String),
+    /// A program is at fault.
+    Program {
+        file: String,
+        diagnostic: Box<Diagnostic>,
+    },
+    /// Whoever reads standard output has had enough.
+    Unread,
+}
+
+impl Failure {
+    /// A file that cannot be read or written.
+    pub(crate) fn file(path: &Path, error: &io::Error) -> Self {
+        Self::Fault(format!("{}: {error}", path.display()))
+    }
+
+    /// Standard output that cannot be written.
+    pub(crate) fn stdout(error: &io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Self::Unread,
+            _ => Self::Fault(format!("standard output: {error}")),
+        }
+    }
+
+    /// Says it on standard error.
+    pub(crate) fn report(self) -> ExitCode {
+        match self {
+            Self::Unread => ExitCode::SUCCESS,
+            Self::Usage(message) => {
+                eprintln!("error: {message}\n\nFor more information, try '--help'.");
+                ExitCode::from(2)
+            }
+            Self::Fault(message) => {
+                eprintln!("error: {message}");
+                ExitCode::from(1)
+            }
+            Self::Program { file, diagnostic } => {
+                eprint!(
+                    "{}",
+                    underlined(&file, &diagnostic, io::stderr().is_terminal())
+                );
+                ExitCode::from(1)
+            }
+        }
+    }
+}
+
+/// The error with its place, the line of the program, and the offending text underlined.
+fn underlined(file: &str, diagnostic: &Diagnostic, in_colour: bool) -> String {
+    let Diagnostic {
+        line,
+        source,
+        span,
+        message,
+        help,
+    } = diagnostic;
+    let place = (file, span.clone());
+    let config = Config::default()
+        .with_color(in_colour)
+        .with_index_type(IndexType::Byte)
+        .with_tab_width(8);
+    let report = Report::build(ReportKind::Error, place.clone())
+        .with_config(config)
+        .with_message(format!("{file}:{line}:{}: {message}", diagnostic.column()))
+        .with_label(Label::new(place).with_message("here"))
+        .with_help(help)
+        .finish();
+    let line = *line as usize;
+    let source = Source::from(source.as_str()).with_display_line_offset(line - 1);
+    let mut text = Vec::new();
+    match report.write((file, source), &mut text) {
+        Ok(()) => String::from_utf8_lossy(&text).into_owned(),
+        Err(_) => format!("error: {file}: {diagnostic}\n"),
+    }
+}

@@ -1,0 +1,171 @@
+//! From a curve and a method to the state machine and the circuit that serve it.
+
+use crate::choice::{Method, UpdateName};
+use crate::curve::Curve;
+use onepulse_core::dda::{Preset, Radix, Register};
+use onepulse_core::{Direction, Error, Pulse};
+use onepulse_core::{brm, dda, ppc};
+use onepulse_hwmodel::{self as hw, Circuit};
+
+/// Something to be done with the two machines of a curve.
+pub(crate) trait Visitor {
+    type Output;
+
+    /// Takes the software machine, the circuit's maker, and where the curve starts.
+    fn visit<S, C, const AXES: usize>(
+        self,
+        software: S,
+        circuit: impl FnOnce() -> Result<C, Error>,
+        start: [i64; AXES],
+    ) -> Self::Output
+    where
+        S: Iterator<Item = Pulse<AXES>>,
+        C: Circuit<AXES>;
+}
+
+/// Builds the machines of a curve, in registers of `bits` bits or the smallest that serve, and
+/// shows them to the visitor.
+pub(crate) fn with_machines<V: Visitor>(
+    curve: &Curve,
+    method: &Method,
+    bits: Option<u32>,
+    visitor: V,
+) -> Result<V::Output, String> {
+    match curve {
+        Curve::Line { to } => match (method, to.as_slice()) {
+            (Method::Ppc { end_rule }, &[x, y]) => {
+                let bits = width(bits, 32, holding(Radix::Binary, to))?;
+                let software = ppc::Line::new([x, y], *end_rule).map_err(refused)?;
+                let circuit = || hw::ppc::Line::new([x, y], bits, *end_rule);
+                Ok(visitor.visit(software, circuit, [0, 0]))
+            }
+            (Method::Ppc { .. }, _) => Err(
+                "point-by-point comparison serves lines of 2 axes so far: use --method dda or brm"
+                    .into(),
+            ),
+            (_, &[x, y]) => line([x, y], method, bits, visitor),
+            (_, &[x, y, z]) => line([x, y, z], method, bits, visitor),
+            (_, &[x, y, z, a]) => line([x, y, z, a], method, bits, visitor),
+            _ => Err("a line has 2 to 4 axes".into()),
+        },
+        &Curve::Arc {
+            from,
+            to,
+            direction,
+        } => arc(from, to, direction, method, bits, visitor),
+    }
+}
+
+fn line<V: Visitor, const AXES: usize>(
+    to: [i32; AXES],
+    method: &Method,
+    bits: Option<u32>,
+    visitor: V,
+) -> Result<V::Output, String> {
+    let start = [0; AXES];
+    match *method {
+        Method::Dda {
+            radix,
+            preset,
+            normalize,
+            ..
+        } => {
+            let digits = bits.unwrap_or_else(|| holding(radix, &to));
+            let register = Register::new(radix, digits).map_err(refused)?;
+            let preset = preset.unwrap_or_default();
+            let software = dda::Line::new(to, register, preset, normalize).map_err(refused)?;
+            let circuit = || hw::dda::Line::new(to, digits, preset, normalize);
+            Ok(visitor.visit(software, circuit, start))
+        }
+        Method::Brm => {
+            let bits = bits.unwrap_or_else(|| holding(Radix::Binary, &to));
+            let software = brm::Line::new(to, bits).map_err(refused)?;
+            Ok(visitor.visit(software, || hw::brm::Line::new(to, bits), start))
+        }
+        Method::Ppc { .. } => Err("point-by-point comparison serves lines of 2 axes".into()),
+    }
+}
+
+fn arc<V: Visitor>(
+    from: [i32; 2],
+    to: [i32; 2],
+    direction: Direction,
+    method: &Method,
+    bits: Option<u32>,
+    visitor: V,
+) -> Result<V::Output, String> {
+    let start = from.map(i64::from);
+    match *method {
+        Method::Ppc { end_rule } => {
+            let needed = hw::ppc::Arc::bits(from, to, direction).map_err(refused)?;
+            let bits = width(bits, 32, needed)?;
+            let software = ppc::Arc::new(from, to, direction, end_rule).map_err(refused)?;
+            let circuit = || hw::ppc::Arc::new(from, to, direction, bits, end_rule);
+            Ok(visitor.visit(software, circuit, start))
+        }
+        Method::Dda {
+            radix,
+            preset,
+            normalize,
+            update: UpdateName::Simultaneous,
+        } => {
+            let needed = dda::Arc::bits(from, to, direction).map_err(refused)?;
+            let bits = bits.unwrap_or(needed);
+            let register = Register::new(radix, bits).map_err(refused)?;
+            let preset = preset.unwrap_or_default();
+            let software = dda::Arc::new(from, to, direction, register, preset, normalize);
+            let circuit = || hw::dda::Arc::new(from, to, direction, bits, preset, normalize);
+            Ok(visitor.visit(software.map_err(refused)?, circuit, start))
+        }
+        Method::Dda {
+            radix,
+            preset,
+            normalize,
+            update: UpdateName::Staggered,
+        } => {
+            if !matches!(preset, None | Some(Preset::Half)) {
+                return Err(
+                    "the staggered circuit takes half load only: with full load it \
+                     starves, with zero it is off centre; leave --preset out, or take \
+                     --update simultaneous"
+                        .into(),
+                );
+            }
+            let needed = dda::CentredArc::bits(from, to, direction).map_err(refused)?;
+            let bits = bits.unwrap_or(needed);
+            let register = Register::new(radix, bits).map_err(refused)?;
+            let software = dda::CentredArc::new(from, to, direction, register, normalize);
+            let circuit = || hw::dda::CentredArc::new(from, to, direction, bits, normalize);
+            Ok(visitor.visit(software.map_err(refused)?, circuit, start))
+        }
+        Method::Brm => Err("the rate multiplier serves lines only: use --method ppc or dda".into()),
+    }
+}
+
+/// The narrowest register that holds the coordinates, in digits.
+fn holding(radix: Radix, coordinates: &[i32]) -> u32 {
+    let largest = coordinates
+        .iter()
+        .map(|c| c.unsigned_abs())
+        .max()
+        .unwrap_or(0);
+    Register::holding(radix, largest).digits()
+}
+
+/// A width that the software machine does not ask for but its circuit has.
+fn width(bits: Option<u32>, widest: u32, needed: u32) -> Result<u32, String> {
+    match bits {
+        None => Ok(needed),
+        Some(digits) if digits == 0 || digits > widest => {
+            Err(refused(Error::RegisterWidth { digits, widest }))
+        }
+        Some(digits) if digits < needed => {
+            Err(refused(Error::RegisterTooNarrow { digits, needed }))
+        }
+        Some(bits) => Ok(bits),
+    }
+}
+
+fn refused(why: Error) -> String {
+    why.to_string()
+}

@@ -1,0 +1,29 @@
+//! NC interpolation from the command line.
+
+mod args;
+mod choice;
+mod curve;
+mod failure;
+mod machine;
+mod output;
+mod pulses;
+mod run;
+mod table;
+mod wave;
+
+use args::{Arguments, Command};
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let done = match Arguments::parse().command {
+        Command::Pulses(curve) => pulses::pulses(&curve),
+        Command::Table(arguments) => table::table(&arguments),
+        Command::Wave(arguments) => wave::wave(&arguments),
+        Command::Run(arguments) => run::run(&arguments),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}

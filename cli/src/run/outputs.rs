@@ -1,0 +1,249 @@
+//! Everything that a run writes, block by block: nothing is kept.
+
+use super::config::Config;
+use super::picture::Picture;
+use super::report::{Report, Summary};
+use crate::args::RunArguments;
+use crate::choice::{Method, UpdateName};
+use crate::failure::Failure;
+use crate::output::{OutputFile, OutputFolder, write_whole};
+use crate::pulses::write_row;
+use onepulse_core::{Direction, Error, Pulse};
+use onepulse_hwmodel::trace::{Bench, Kind, SignalList, Tracer, Vcd, gtkw};
+use onepulse_hwmodel::{self as hw, Circuit};
+use onepulse_plan::Motion;
+use std::fs::File;
+use std::io::{BufWriter, Write};
+
+/// The files of a run.
+#[derive(Debug)]
+pub(super) struct Outputs {
+    pulses: BufWriter<File>,
+    pulses_file: OutputFile,
+    picture: Picture,
+    waves: Option<Waves>,
+    pub(super) report: Report,
+    line: u32,
+    folder: OutputFolder,
+}
+
+/// `waves.vcd`: the circuits of the method, one scope each, on one time axis.
+#[derive(Debug)]
+struct Waves {
+    tracer: Tracer<Vcd<BufWriter<File>>>,
+    file: OutputFile,
+    list: SignalList,
+    bench: Bench,
+    line: usize,
+    /// The first signal of each circuit, by its name.
+    circuits: Vec<(&'static str, usize)>,
+    /// When the block began.
+    start: u64,
+    clocks: u64,
+    clocks_per_second: f64,
+    /// The first signal of the circuit that runs.
+    first: usize,
+}
+
+/// The time axis of a run counts picoseconds.
+const EXPONENT: i8 = -12;
+const TICKS_PER_SECOND: f64 = 1e12;
+
+impl Outputs {
+    /// Begins the files in the folder that the command line names.
+    pub(super) fn create(
+        arguments: &RunArguments,
+        config: &Config,
+        method: &Method,
+    ) -> Result<Self, Failure> {
+        let folder = OutputFolder::open(&arguments.out)?;
+        let pulses_file = folder.create("pulses.csv")?;
+        let mut pulses = pulses_file.writer()?;
+        let header = pulses.write_all(b"line,cycle,dx,dy,x,y\n");
+        header.map_err(|error| pulses_file.failure(&error))?;
+        let picture = Picture::begin(folder.create("path.svg")?)?;
+        let waves = match arguments.no_waves {
+            true => None,
+            false => Some(Waves::begin(folder.create("waves.vcd")?, config, method)?),
+        };
+        let program = arguments.program.display().to_string();
+        let report = Report::begin(folder.create("report.json")?, &program, config, method)?;
+        Ok(Self {
+            pulses,
+            pulses_file,
+            picture,
+            waves,
+            report,
+            line: 0,
+            folder,
+        })
+    }
+
+    /// Begins a block.
+    pub(super) fn begin<C: Circuit<N>, const N: usize>(
+        &mut self,
+        motion: &Motion,
+        cycles_per_second: f64,
+        _: &C,
+    ) -> Result<(), Failure> {
+        self.line = motion.line;
+        self.picture.begin_block(motion)?;
+        if let Some(waves) = &mut self.waves {
+            waves.clocks = 0;
+            waves.clocks_per_second = cycles_per_second * C::CLOCKS_PER_CYCLE as f64;
+            let known = waves.circuits.iter().find(|(name, _)| *name == C::NAME);
+            waves.first = known.map_or(0, |(_, first)| *first);
+            waves.tracer.at(waves.start);
+            waves.tracer.set(waves.line, u64::from(motion.line));
+        }
+        Ok(())
+    }
+
+    /// Gives the circuit a clock.
+    pub(super) fn clock<C: Circuit<N>, const N: usize>(&mut self, circuit: &mut C) -> Pulse<N> {
+        match &mut self.waves {
+            Some(waves) => waves.clock(circuit),
+            None => {
+                let pulses = circuit.pulses();
+                circuit.clock();
+                pulses
+            }
+        }
+    }
+
+    /// Takes the pulses of a cycle and the position after them.
+    pub(super) fn pulse(
+        &mut self,
+        cycle: u64,
+        pulse: Pulse,
+        position: [i64; 2],
+    ) -> Result<(), Failure> {
+        let mut digits = itoa::Buffer::new();
+        let line = self.pulses.write_all(digits.format(self.line).as_bytes());
+        line.and_then(|()| self.pulses.write_all(b","))
+            .and_then(|()| write_row(&mut self.pulses, cycle, pulse, position))
+            .map_err(|error| self.pulses_file.failure(&error))?;
+        self.picture.pulse(pulse)
+    }
+
+    /// Ends the block.
+    pub(super) fn end<C: Circuit<N>, const N: usize>(
+        &mut self,
+        seconds: f64,
+        circuit: &C,
+    ) -> Result<(), Failure> {
+        if let Some(waves) = &mut self.waves {
+            let end = waves.start + (seconds * TICKS_PER_SECOND) as u64;
+            waves.start = end.max(waves.edge(2 * waves.clocks));
+            let (first, start) = (waves.first, waves.start);
+            waves.bench.sample(&mut waves.tracer, first, circuit, start);
+            waves
+                .tracer
+                .check()
+                .map_err(|error| waves.file.failure(&error))?;
+        }
+        self.picture.end_block()
+    }
+
+    /// Completes the files; only now they appear in the folder.
+    pub(super) fn finish(mut self, summary: &Summary, config: &Config) -> Result<(), Failure> {
+        self.pulses
+            .flush()
+            .map_err(|error| self.pulses_file.failure(&error))?;
+        let mut files = vec![self.pulses_file, self.picture.finish()?];
+        if let Some(waves) = self.waves {
+            let Waves {
+                tracer,
+                file,
+                list,
+                start,
+                ..
+            } = waves;
+            tracer
+                .finish(start + 1)
+                .map_err(|error| file.failure(&error))?;
+            let layout = self.folder.path().join("waves.gtkw");
+            files.push(write_whole(&layout, &gtkw("waves.vcd", &list))?);
+            files.push(file);
+        }
+        files.push(self.report.finish(summary, config)?);
+        files.into_iter().try_for_each(OutputFile::finish)
+    }
+}
+
+impl Waves {
+    fn begin(file: OutputFile, config: &Config, method: &Method) -> Result<Self, Failure> {
+        let mut list = SignalList::new();
+        let bench = Bench::declare(&mut list, &[0, 0]);
+        let line = list.add("program_line", Kind::Unsigned(32));
+        let circuits = declare_circuits(&mut list, config.bits, method)
+            .map_err(|why| Failure::Usage(format!("--bits {}: {why}", config.bits)))?;
+        let writer = file.writer()?;
+        let vcd = Vcd::new(writer, &list, EXPONENT).map_err(|error| file.failure(&error))?;
+        Ok(Self {
+            tracer: Tracer::new(vcd, &list),
+            file,
+            list,
+            bench,
+            line,
+            circuits,
+            start: 0,
+            clocks: 0,
+            clocks_per_second: 1.0,
+            first: 0,
+        })
+    }
+
+    /// When a half period of the block's clock begins.
+    fn edge(&self, half_periods: u64) -> u64 {
+        let seconds = half_periods as f64 / 2.0 / self.clocks_per_second;
+        // An edge at least a tick after the other, however fast the clock.
+        self.start + ((seconds * TICKS_PER_SECOND) as u64).max(half_periods)
+    }
+
+    fn clock<C: Circuit<N>, const N: usize>(&mut self, circuit: &mut C) -> Pulse<N> {
+        let (rise, fall) = (self.edge(2 * self.clocks), self.edge(2 * self.clocks + 1));
+        self.clocks += 1;
+        self.bench
+            .clock(&mut self.tracer, self.first, circuit, rise, fall)
+    }
+}
+
+/// The circuits that the method needs, loaded with the smallest curves there are.
+fn declare_circuits(
+    list: &mut SignalList,
+    bits: u32,
+    method: &Method,
+) -> Result<Vec<(&'static str, usize)>, Error> {
+    fn add<C: Circuit<2>>(list: &mut SignalList, circuit: &C) -> (&'static str, usize) {
+        (C::NAME, list.add_circuit(circuit))
+    }
+    let (x, y, direction) = ([1, 0], [0, 1], Direction::Ccw);
+    Ok(match *method {
+        Method::Ppc { end_rule } => vec![
+            add(list, &hw::ppc::Line::new(x, bits, end_rule)?),
+            add(list, &hw::ppc::Arc::new(x, y, direction, bits, end_rule)?),
+        ],
+        Method::Dda {
+            preset,
+            normalize,
+            update,
+            ..
+        } => {
+            let preset = preset.unwrap_or_default();
+            let line = add(list, &hw::dda::Line::new(x, bits, preset, normalize)?);
+            let arc = match update {
+                UpdateName::Staggered => add(
+                    list,
+                    &hw::dda::CentredArc::new(x, y, direction, bits, normalize)?,
+                ),
+                UpdateName::Simultaneous => add(
+                    list,
+                    &hw::dda::Arc::new(x, y, direction, bits, preset, normalize)?,
+                ),
+            };
+            vec![line, arc]
+        }
+        Method::Brm => vec![add(list, &hw::brm::Line::new(x, bits)?)],
+    })
+}

@@ -1,0 +1,307 @@
+//! `report.json`, and the summary on standard output.
+
+use super::block::BlockResult;
+use super::config::Config;
+use super::speed::Speed;
+use crate::choice::{Method, UpdateName};
+use crate::failure::Failure;
+use crate::output::OutputFile;
+use onepulse_core::Direction;
+use onepulse_plan::{Curve, Motion, Rate};
+use serde::Serialize;
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+
+/// What the report says of one block.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct BlockReport {
+    /// The program's line, from 1.
+    line: u32,
+    curve: &'static str,
+    method: &'static str,
+    feed_mm_per_min: f64,
+    cycles: u64,
+    pulses: PerAxis<u64>,
+    /// In pulses: from the line, or from the circle through the arc's start.
+    largest_deviation: f64,
+    endpoint_exact: bool,
+    /// What is missing to the end point, in pulses.
+    residual: PerAxis<i64>,
+    duration_s: f64,
+    /// Whether hardware model and software sent the same pulses.
+    hardware_agrees: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    disagrees_at_cycle: Option<u64>,
+}
+
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+struct PerAxis<T> {
+    x: T,
+    y: T,
+}
+
+impl<T> From<[T; 2]> for PerAxis<T> {
+    fn from([x, y]: [T; 2]) -> Self {
+        Self { x, y }
+    }
+}
+
+impl BlockReport {
+    pub(super) fn new(motion: &Motion, method: &Method, speed: Speed, run: &BlockResult) -> Self {
+        let curve = match (motion.curve, motion.rate) {
+            (Curve::Line, Rate::Rapid) => "rapid",
+            (Curve::Line, Rate::Feed(_)) => "line",
+            (
+                Curve::Arc {
+                    direction: Direction::Cw,
+                    ..
+                },
+                _,
+            ) => "arc cw",
+            (
+                Curve::Arc {
+                    direction: Direction::Ccw,
+                    ..
+                },
+                _,
+            ) => "arc ccw",
+        };
+        let method = match (method, motion.curve) {
+            (
+                Method::Dda {
+                    update: UpdateName::Staggered,
+                    ..
+                },
+                Curve::Arc { .. },
+            ) => "dda staggered",
+            (
+                Method::Dda {
+                    update: UpdateName::Simultaneous,
+                    ..
+                },
+                Curve::Arc { .. },
+            ) => "dda simultaneous",
+            _ => method.name(),
+        };
+        Self {
+            line: motion.line,
+            curve,
+            method,
+            feed_mm_per_min: speed.millimetres_per_minute(),
+            cycles: run.cycles,
+            pulses: run.pulses.into(),
+            largest_deviation: run.deviation,
+            endpoint_exact: run.residual == [0, 0],
+            residual: run.residual.into(),
+            duration_s: run.seconds,
+            hardware_agrees: run.disagreement.is_none(),
+            disagrees_at_cycle: run.disagreement,
+        }
+    }
+}
+
+/// The report, written block by block.
+#[derive(Debug)]
+pub(super) struct Report {
+    out: BufWriter<File>,
+    file: OutputFile,
+    is_first: bool,
+}
+
+impl Report {
+    pub(super) fn begin(
+        file: OutputFile,
+        program: &str,
+        config: &Config,
+        method: &Method,
+    ) -> Result<Self, Failure> {
+        let mut report = Self {
+            out: file.writer()?,
+            file,
+            is_first: true,
+        };
+        let machine = serde_json::json!({
+            "pulse_mm": config.machine.pulse.millimetres(),
+            "bits": config.bits,
+            "method": method.name(),
+        });
+        let program = serde_json::json!(program);
+        let head = format!("{{\n\"program\": {program},\n\"machine\": {machine},\n\"blocks\": [");
+        let written = report.out.write_all(head.as_bytes());
+        report.check(written)?;
+        Ok(report)
+    }
+
+    /// Adds a block.
+    pub(super) fn block(&mut self, block: &BlockReport) -> Result<(), Failure> {
+        let separator: &[u8] = if self.is_first { b"\n" } else { b",\n" };
+        self.is_first = false;
+        let written = self.out.write_all(separator);
+        let written = written.and_then(|()| Ok(serde_json::to_writer(&mut self.out, block)?));
+        self.check(written)
+    }
+
+    /// Completes the file.
+    pub(super) fn finish(
+        mut self,
+        summary: &Summary,
+        config: &Config,
+    ) -> Result<OutputFile, Failure> {
+        let pulse = config.machine.pulse.millimetres();
+        let [x, y] = summary.position;
+        let totals = serde_json::json!({
+            "blocks": summary.blocks,
+            "cycles": summary.cycles,
+            "pulses": PerAxis::from(summary.pulses),
+            "largest_deviation": summary.deviation,
+            "endpoints_exact": summary.endpoints_exact,
+            "duration_s": summary.seconds,
+        });
+        let position = serde_json::json!({
+            "x": x, "y": y, "x_mm": x as f64 * pulse, "y_mm": y as f64 * pulse,
+        });
+        let written = write!(
+            self.out,
+            "\n],\n\"totals\": {totals},\n\"final_position\": {position},\n\"hardware_agrees\": {}\n}}\n",
+            summary.agrees
+        );
+        let written = written.and_then(|()| self.out.flush());
+        self.check(written)?;
+        Ok(self.file)
+    }
+
+    fn check(&self, written: io::Result<()>) -> Result<(), Failure> {
+        written.map_err(|error| self.file.failure(&error))
+    }
+}
+
+/// The whole run.
+#[derive(Debug)]
+pub(super) struct Summary {
+    blocks: u64,
+    cycles: u64,
+    pulses: [u64; 2],
+    deviation: f64,
+    endpoints_exact: bool,
+    seconds: f64,
+    position: [i64; 2],
+    pub(super) agrees: bool,
+    /// The first blocks, for showing.
+    shown: Vec<BlockReport>,
+}
+
+/// Blocks that the summary shows one by one.
+const SHOWN: usize = 40;
+
+impl Default for Summary {
+    fn default() -> Self {
+        Self {
+            blocks: 0,
+            cycles: 0,
+            pulses: [0; 2],
+            deviation: 0.0,
+            endpoints_exact: true,
+            seconds: 0.0,
+            position: [0; 2],
+            agrees: true,
+            shown: Vec::new(),
+        }
+    }
+}
+
+impl Summary {
+    /// Adds a block that ended in `position`.
+    pub(super) fn add(&mut self, block: &BlockReport, position: [i64; 2]) {
+        self.blocks += 1;
+        self.cycles += block.cycles;
+        self.pulses[0] += block.pulses.x;
+        self.pulses[1] += block.pulses.y;
+        self.deviation = self.deviation.max(block.largest_deviation);
+        self.endpoints_exact &= block.endpoint_exact;
+        self.seconds += block.duration_s;
+        self.position = position;
+        self.agrees &= block.hardware_agrees;
+        if self.shown.len() < SHOWN {
+            self.shown.push(block.clone());
+        }
+    }
+
+    /// The readable summary on standard output.
+    pub(super) fn print(
+        &self,
+        program: &str,
+        folder: &Path,
+        config: &Config,
+    ) -> Result<(), Failure> {
+        self.write(io::stdout().lock(), program, folder, config)
+            .map_err(|error| Failure::stdout(&error))
+    }
+
+    fn write(
+        &self,
+        mut out: impl Write,
+        program: &str,
+        folder: &Path,
+        config: &Config,
+    ) -> io::Result<()> {
+        let pulse = config.machine.pulse.millimetres();
+        writeln!(
+            out,
+            "{program}: pulse equivalent {pulse} mm, {} bit registers\n",
+            config.bits
+        )?;
+        writeln!(
+            out,
+            "{:>6}  {:8}  {:16}  {:>10}  {:>8}  {:>8}  {:>9}  {:>9}  {:>9}",
+            "line", "curve", "method", "cycles", "x pulses", "y pulses", "deviation", "end", "time"
+        )?;
+        for block in &self.shown {
+            let end = if block.endpoint_exact {
+                "exact".to_owned()
+            } else {
+                format!("{},{}", block.residual.x, block.residual.y)
+            };
+            writeln!(
+                out,
+                "{:>6}  {:8}  {:16}  {:>10}  {:>8}  {:>8}  {:>9.4}  {end:>9}  {:>7.3} s",
+                block.line,
+                block.curve,
+                block.method,
+                block.cycles,
+                block.pulses.x,
+                block.pulses.y,
+                block.largest_deviation,
+                block.duration_s
+            )?;
+        }
+        if self.blocks > self.shown.len() as u64 {
+            writeln!(
+                out,
+                "   ...  {} more in report.json",
+                self.blocks - self.shown.len() as u64
+            )?;
+        }
+        let [x, y] = self.position;
+        writeln!(
+            out,
+            "\n{} blocks, {} cycles, {} + {} pulses, {:.3} s; final position {x},{y}",
+            self.blocks, self.cycles, self.pulses[0], self.pulses[1], self.seconds
+        )?;
+        writeln!(out, "largest deviation {:.4} pulses", self.deviation)?;
+        let exact = if self.endpoints_exact {
+            "every"
+        } else {
+            "NOT every"
+        };
+        writeln!(out, "{exact} block ends exactly on its end point")?;
+        let agree = if self.agrees {
+            "agree on every pulse"
+        } else {
+            "DISAGREE"
+        };
+        writeln!(out, "hardware model and software {agree}")?;
+        writeln!(out, "written to {}", folder.display())?;
+        out.flush()
+    }
+}

@@ -1,0 +1,198 @@
+//! `onepulse table`: the step table of one curve as a textbook prints it.
+
+mod brm;
+mod dda;
+mod layout;
+mod ppc;
+
+use crate::args::TableArguments;
+use crate::choice::{Method, UpdateName};
+use crate::curve::Curve;
+use crate::failure::Failure;
+use crate::machine::{Visitor, with_machines};
+use clap::ValueEnum;
+use onepulse_core::dda::{Radix, Register};
+use onepulse_core::{self as core, Error, Pulse};
+use onepulse_hwmodel::Circuit;
+
+/// How a table is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Aligned columns
+    #[default]
+    Text,
+    /// A Markdown table
+    Md,
+    /// Comma-separated values
+    Csv,
+}
+
+/// The language of a table.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Language {
+    /// English
+    #[default]
+    En,
+    /// Chinese
+    Zh,
+}
+
+impl Language {
+    /// The word in this language.
+    pub(crate) const fn pick(self, english: &'static str, chinese: &'static str) -> &'static str {
+        match self {
+            Self::En => english,
+            Self::Zh => chinese,
+        }
+    }
+}
+
+/// A table that can be gone through more than once, a row at a time.
+pub(crate) trait Table {
+    /// The column headings.
+    fn headings(&self, language: Language) -> Vec<String>;
+
+    /// The rows.
+    fn rows(&self, language: Language) -> impl Iterator<Item = Vec<String>>;
+}
+
+pub(crate) fn table(arguments: &TableArguments) -> Result<(), Failure> {
+    let options = &arguments.curve.options;
+    let method = Method::from_options(options).map_err(Failure::Usage)?;
+    let curve = arguments.curve.curve();
+    // The one place that knows what suits together says what does not.
+    with_machines(&curve, &method, options.bits, Nothing).map_err(Failure::Usage)?;
+    let write = |why: Error| Failure::Usage(why.to_string());
+    match (method, &curve) {
+        (Method::Ppc { end_rule }, Curve::Line { to }) => {
+            let machine = core::ppc::Line::new([to[0], to[1]], end_rule).map_err(write)?;
+            print(
+                &ppc::LineTable {
+                    machine,
+                    end: [to[0], to[1]],
+                },
+                arguments,
+            )
+        }
+        (
+            Method::Ppc { end_rule },
+            &Curve::Arc {
+                from,
+                to,
+                direction,
+            },
+        ) => {
+            let machine = core::ppc::Arc::new(from, to, direction, end_rule).map_err(write)?;
+            print(&ppc::ArcTable { machine }, arguments)
+        }
+        (Method::Dda { .. } | Method::Brm, Curve::Line { to }) => match *to.as_slice() {
+            [x, y] => line([x, y], &method, arguments),
+            [x, y, z] => line([x, y, z], &method, arguments),
+            [x, y, z, a] => line([x, y, z, a], &method, arguments),
+            _ => Err(Failure::Usage("a line has 2 to 4 axes".into())),
+        },
+        (
+            Method::Dda {
+                preset,
+                normalize,
+                update,
+                ..
+            },
+            &Curve::Arc {
+                from,
+                to,
+                direction,
+            },
+        ) => {
+            let register = |needed: Result<u32, Error>| {
+                let bits = options.bits.map_or(needed, Ok).map_err(write)?;
+                Register::new(Radix::Binary, bits).map_err(write)
+            };
+            if update == UpdateName::Simultaneous {
+                let register = register(core::dda::Arc::bits(from, to, direction))?;
+                let preset = preset.unwrap_or_default();
+                let machine = core::dda::Arc::new(from, to, direction, register, preset, normalize);
+                print(
+                    &dda::ArcTable {
+                        machine: machine.map_err(write)?,
+                    },
+                    arguments,
+                )
+            } else {
+                let register = register(core::dda::CentredArc::bits(from, to, direction))?;
+                let machine = core::dda::CentredArc::new(from, to, direction, register, normalize);
+                print(
+                    &dda::CentredArcTable {
+                        machine: machine.map_err(write)?,
+                    },
+                    arguments,
+                )
+            }
+        }
+        (Method::Brm, Curve::Arc { .. }) => Err(Failure::Usage(
+            "the rate multiplier serves lines only".into(),
+        )),
+    }
+}
+
+fn line<const N: usize>(
+    to: [i32; N],
+    method: &Method,
+    arguments: &TableArguments,
+) -> Result<(), Failure> {
+    let write = |why: Error| Failure::Usage(why.to_string());
+    let largest = to.iter().map(|c| c.unsigned_abs()).max().unwrap_or(0);
+    let bits = arguments.curve.options.bits;
+    match *method {
+        Method::Dda {
+            radix,
+            preset,
+            normalize,
+            ..
+        } => {
+            let digits = bits.unwrap_or_else(|| Register::holding(radix, largest).digits());
+            let register = Register::new(radix, digits).map_err(write)?;
+            let preset = preset.unwrap_or_default();
+            let machine = core::dda::Line::new(to, register, preset, normalize).map_err(write)?;
+            print(&dda::LineTable { machine }, arguments)
+        }
+        _ => {
+            let bits = bits.unwrap_or_else(|| Register::holding(Radix::Binary, largest).digits());
+            let machine = core::brm::Line::new(to, bits).map_err(write)?;
+            print(&brm::LineTable { machine }, arguments)
+        }
+    }
+}
+
+fn print(table: &impl Table, arguments: &TableArguments) -> Result<(), Failure> {
+    let written = layout::write(
+        std::io::stdout().lock(),
+        table,
+        arguments.format,
+        arguments.lang,
+    );
+    written.map_err(|error| Failure::stdout(&error))
+}
+
+struct Nothing;
+
+impl Visitor for Nothing {
+    type Output = ();
+
+    fn visit<S, C, const N: usize>(self, _: S, _: impl FnOnce() -> Result<C, Error>, _: [i64; N])
+    where
+        S: Iterator<Item = Pulse<N>>,
+        C: Circuit<N>,
+    {
+    }
+}
+
+/// A pulse as it stands in a table: +Δx, −Δy, or nothing.
+fn pulse_name(sign: i8, axis: usize) -> String {
+    let axis = crate::pulses::AXES[axis];
+    match sign {
+        1 => format!("+Δ{axis}"),
+        -1 => format!("-Δ{axis}"),
+        _ => String::new(),
+    }
+}

@@ -1,0 +1,127 @@
+//! `onepulse wave`: the hardware model's wave of one curve.
+
+use crate::args::WaveArguments;
+use crate::choice::Method;
+use crate::failure::Failure;
+use crate::machine::{Visitor, with_machines};
+use crate::output::{OutputFile, write_whole};
+use onepulse_core::dda::Radix;
+use onepulse_core::{Error, Pulse};
+use onepulse_hwmodel::Circuit;
+use onepulse_hwmodel::trace::{Bench, Clock, Fst, SignalList, Tracer, Vcd, Wave, gtkw};
+use std::io;
+use std::path::Path;
+
+pub(crate) fn wave(arguments: &WaveArguments) -> Result<(), Failure> {
+    let options = &arguments.curve.options;
+    let method = Method::from_options(options).map_err(Failure::Usage)?;
+    if matches!(
+        method,
+        Method::Dda {
+            radix: Radix::Decimal,
+            ..
+        }
+    ) {
+        return Err(Failure::Usage(
+            "the circuits are binary: leave --radix 10 out".into(),
+        ));
+    }
+    let Some(path) = &arguments.output else {
+        return Err(Failure::Usage(
+            "where to? add -o FILE.vcd or -o FILE.fst".into(),
+        ));
+    };
+    let recording = Recording {
+        path,
+        source_hz: arguments.source_hz,
+    };
+    with_machines(&arguments.curve.curve(), &method, options.bits, recording)
+        .map_err(Failure::Usage)?
+}
+
+struct Recording<'a> {
+    path: &'a Path,
+    source_hz: u64,
+}
+
+impl Visitor for Recording<'_> {
+    type Output = Result<(), Failure>;
+
+    fn visit<S, C, const N: usize>(
+        self,
+        _: S,
+        circuit: impl FnOnce() -> Result<C, Error>,
+        start: [i64; N],
+    ) -> Result<(), Failure>
+    where
+        S: Iterator<Item = Pulse<N>>,
+        C: Circuit<N>,
+    {
+        let circuit = circuit().map_err(|why| Failure::Usage(why.to_string()))?;
+        let clock = self
+            .source_hz
+            .checked_mul(C::CLOCKS_PER_CYCLE)
+            .and_then(Clock::new);
+        let Some(clock) = clock else {
+            let fastest = Clock::FASTEST / C::CLOCKS_PER_CYCLE;
+            return Err(Failure::Usage(format!(
+                "--source-hz is 1 to {fastest} here"
+            )));
+        };
+        let mut list = SignalList::new();
+        let bench = Bench::declare(&mut list, &start);
+        let first = list.add_circuit(&circuit);
+
+        let file_name = self.path.file_name().unwrap_or_default().to_string_lossy();
+        let file = OutputFile::create(self.path)?;
+        let failure = |error: io::Error| file.failure(&error);
+        match self
+            .path
+            .extension()
+            .and_then(|extension| extension.to_str())
+        {
+            Some("vcd") => {
+                let wave = Vcd::new(file.writer()?, &list, clock.exponent()).map_err(failure)?;
+                record(Tracer::new(wave, &list), bench, first, circuit, clock).map_err(failure)?;
+            }
+            Some("fst") => {
+                let wave = Fst::new(file.writer()?, &list, clock.exponent()).map_err(failure)?;
+                record(Tracer::new(wave, &list), bench, first, circuit, clock).map_err(failure)?;
+            }
+            _ => {
+                return Err(Failure::Usage(format!(
+                    "{}: a wave file ends in .vcd or .fst",
+                    self.path.display()
+                )));
+            }
+        }
+        let layout = self.path.with_extension("gtkw");
+        let layout = write_whole(&layout, &gtkw(&file_name, &list))?;
+        file.finish()?;
+        layout.finish()
+    }
+}
+
+fn record<W: Wave, C: Circuit<N>, const N: usize>(
+    mut tracer: Tracer<W>,
+    mut bench: Bench,
+    first: usize,
+    mut circuit: C,
+    clock: Clock,
+) -> io::Result<()> {
+    let mut k = 0;
+    while !circuit.done() {
+        bench.clock(
+            &mut tracer,
+            first,
+            &mut circuit,
+            clock.rise(k),
+            clock.fall(k),
+        );
+        tracer.check()?;
+        k += 1;
+    }
+    bench.sample(&mut tracer, first, &circuit, clock.rise(k));
+    tracer.finish(clock.fall(k))?;
+    Ok(())
+}

@@ -1,0 +1,23 @@
+//! Planning: from the text of an NC program to curves in whole pulses.
+//!
+//! ```
+//! use onepulse_plan::{Curve, Machine, gcode::Program};
+//!
+//! let text = "G90 G21\nG01 X10.5 Y-2.25 F300\nM02\n";
+//! let machine = Machine::with_pulse("0.01".parse()?);
+//! let motions: Vec<_> = Program::new(text.as_bytes(), &machine).collect::<Result<_, _>>()?;
+//! assert_eq!(motions[0].to, [1050, -225]);
+//! assert_eq!(motions[0].curve, Curve::Line);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod diagnostic;
+pub mod gcode;
+mod length;
+mod machine;
+mod motion;
+
+pub use diagnostic::Diagnostic;
+pub use length::{Length, LengthError};
+pub use machine::{Integers, Machine};
+pub use motion::{Curve, Motion, Rate};
