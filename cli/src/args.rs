@@ -140,11 +140,7 @@ impl CurveArguments {
             CurveCommand::Line { to } => Curve::Line { to: to.0.clone() },
             CurveCommand::Arc { from, to, cw, .. } => {
                 let direction = if *cw { Direction::Cw } else { Direction::Ccw };
-                Curve::Arc {
-                    from: from.0,
-                    to: to.0,
-                    direction,
-                }
+                Curve::Arc { from: from.0, to: to.0, direction }
             }
         }
     }

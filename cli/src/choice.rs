@@ -52,15 +52,8 @@ pub(crate) enum UpdateName {
 /// A method and its settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Method {
-    Ppc {
-        end_rule: EndRule,
-    },
-    Dda {
-        radix: Radix,
-        preset: Option<Preset>,
-        normalize: bool,
-        update: UpdateName,
-    },
+    Ppc { end_rule: EndRule },
+    Dda { radix: Radix, preset: Option<Preset>, normalize: bool, update: UpdateName },
     Brm,
 }
 
@@ -84,11 +77,7 @@ impl Method {
             MethodName::Brm => &[of_dda[0], of_dda[1], of_dda[2], of_dda[3], of_ppc[0]],
         };
         if let Some((_, option)) = foreign.iter().find(|(is_given, _)| *is_given) {
-            let owner = if *option == "--end-rule" {
-                "ppc"
-            } else {
-                "dda"
-            };
+            let owner = if *option == "--end-rule" { "ppc" } else { "dda" };
             return Err(format!("{option} belongs to --method {owner}"));
         }
         Ok(match name {

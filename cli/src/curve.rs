@@ -9,11 +9,7 @@ pub(crate) enum Curve {
     /// From the origin; two to four axes.
     Line { to: Vec<i32> },
     /// About the origin; equal ends mean a full circle.
-    Arc {
-        from: [i32; 2],
-        to: [i32; 2],
-        direction: Direction,
-    },
+    Arc { from: [i32; 2], to: [i32; 2], direction: Direction },
 }
 
 /// Whole coordinates, separated by commas.
@@ -28,15 +24,10 @@ impl FromStr for Point {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let coordinates = text
-            .split(',')
-            .map(coordinate)
-            .collect::<Result<Vec<_>, _>>()?;
+        let coordinates = text.split(',').map(coordinate).collect::<Result<Vec<_>, _>>()?;
         match coordinates.len() {
             2..=4 => Ok(Self(coordinates)),
-            count => Err(format!(
-                "2 to 4 coordinates are needed, as in 5,3: here is {count}"
-            )),
+            count => Err(format!("2 to 4 coordinates are needed, as in 5,3: here is {count}")),
         }
     }
 }
@@ -45,23 +36,15 @@ impl FromStr for PlanePoint {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let coordinates = text
-            .split(',')
-            .map(coordinate)
-            .collect::<Result<Vec<_>, _>>()?;
+        let coordinates = text.split(',').map(coordinate).collect::<Result<Vec<_>, _>>()?;
         let count = coordinates.len();
         let pair = coordinates.try_into();
-        pair.map(Self)
-            .map_err(|_| format!("2 coordinates are needed, as in 5,0: here is {count}"))
+        pair.map(Self).map_err(|_| format!("2 coordinates are needed, as in 5,0: here is {count}"))
     }
 }
 
 fn coordinate(text: &str) -> Result<i32, String> {
     text.parse().map_err(|_| {
-        format!(
-            "'{text}' is not a whole number of pulses from {} to {}",
-            i32::MIN,
-            i32::MAX
-        )
+        format!("'{text}' is not a whole number of pulses from {} to {}", i32::MIN, i32::MAX)
     })
 }

@@ -14,10 +14,7 @@ pub(crate) enum Failure {
     /// A file or a check is at fault.
     Fault(String),
     /// A program is at fault.
-    Program {
-        file: String,
-        diagnostic: Box<Diagnostic>,
-    },
+    Program { file: String, diagnostic: Box<Diagnostic> },
     /// Whoever reads standard output has had enough.
     Unread,
 }
@@ -49,10 +46,7 @@ impl Failure {
                 ExitCode::from(1)
             }
             Self::Program { file, diagnostic } => {
-                eprint!(
-                    "{}",
-                    underlined(&file, &diagnostic, io::stderr().is_terminal())
-                );
+                eprint!("{}", underlined(&file, &diagnostic, io::stderr().is_terminal()));
                 ExitCode::from(1)
             }
         }
@@ -61,26 +55,19 @@ impl Failure {
 
 /// The error with its place, the line of the program, and the offending text underlined.
 fn underlined(file: &str, diagnostic: &Diagnostic, in_colour: bool) -> String {
-    let Diagnostic {
-        line,
-        source,
-        span,
-        message,
-        help,
-    } = diagnostic;
-    let place = (file, span.clone());
-    let config = Config::default()
-        .with_color(in_colour)
-        .with_index_type(IndexType::Byte)
-        .with_tab_width(8);
+    let Diagnostic { line, source, span, message, help } = diagnostic;
+    let column = diagnostic.column();
+    // The lines before are left empty: they give this one its number.
+    let before = *line as usize - 1;
+    let place = (file, before + span.start..before + span.end);
+    let config = Config::default().with_color(in_colour).with_index_type(IndexType::Byte);
     let report = Report::build(ReportKind::Error, place.clone())
         .with_config(config)
-        .with_message(format!("{file}:{line}:{}: {message}", diagnostic.column()))
-        .with_label(Label::new(place).with_message("here"))
+        .with_message(format!("{file}:{line}:{column}: {message}"))
+        .with_label(Label::new(place).with_message(format!("line {line}, column {column}")))
         .with_help(help)
         .finish();
-    let line = *line as usize;
-    let source = Source::from(source.as_str()).with_display_line_offset(line - 1);
+    let source = Source::from(format!("{}{source}", "\n".repeat(before)));
     let mut text = Vec::new();
     match report.write((file, source), &mut text) {
         Ok(()) => String::from_utf8_lossy(&text).into_owned(),

@@ -48,11 +48,7 @@ pub(crate) fn with_machines<V: Visitor>(
             (_, &[x, y, z, a]) => line([x, y, z, a], method, bits, visitor),
             _ => Err("a line has 2 to 4 axes".into()),
         },
-        &Curve::Arc {
-            from,
-            to,
-            direction,
-        } => arc(from, to, direction, method, bits, visitor),
+        &Curve::Arc { from, to, direction } => arc(from, to, direction, method, bits, visitor),
     }
 }
 
@@ -64,12 +60,7 @@ fn line<V: Visitor, const AXES: usize>(
 ) -> Result<V::Output, String> {
     let start = [0; AXES];
     match *method {
-        Method::Dda {
-            radix,
-            preset,
-            normalize,
-            ..
-        } => {
+        Method::Dda { radix, preset, normalize, .. } => {
             let digits = bits.unwrap_or_else(|| holding(radix, &to));
             let register = Register::new(radix, digits).map_err(refused)?;
             let preset = preset.unwrap_or_default();
@@ -103,12 +94,7 @@ fn arc<V: Visitor>(
             let circuit = || hw::ppc::Arc::new(from, to, direction, bits, end_rule);
             Ok(visitor.visit(software, circuit, start))
         }
-        Method::Dda {
-            radix,
-            preset,
-            normalize,
-            update: UpdateName::Simultaneous,
-        } => {
+        Method::Dda { radix, preset, normalize, update: UpdateName::Simultaneous } => {
             let needed = dda::Arc::bits(from, to, direction).map_err(refused)?;
             let bits = bits.unwrap_or(needed);
             let register = Register::new(radix, bits).map_err(refused)?;
@@ -117,19 +103,12 @@ fn arc<V: Visitor>(
             let circuit = || hw::dda::Arc::new(from, to, direction, bits, preset, normalize);
             Ok(visitor.visit(software.map_err(refused)?, circuit, start))
         }
-        Method::Dda {
-            radix,
-            preset,
-            normalize,
-            update: UpdateName::Staggered,
-        } => {
+        Method::Dda { radix, preset, normalize, update: UpdateName::Staggered } => {
             if !matches!(preset, None | Some(Preset::Half)) {
-                return Err(
-                    "the staggered circuit takes half load only: with full load it \
+                return Err("the staggered circuit takes half load only: with full load it \
                      starves, with zero it is off centre; leave --preset out, or take \
                      --update simultaneous"
-                        .into(),
-                );
+                    .into());
             }
             let needed = dda::CentredArc::bits(from, to, direction).map_err(refused)?;
             let bits = bits.unwrap_or(needed);
@@ -144,11 +123,7 @@ fn arc<V: Visitor>(
 
 /// The narrowest register that holds the coordinates, in digits.
 fn holding(radix: Radix, coordinates: &[i32]) -> u32 {
-    let largest = coordinates
-        .iter()
-        .map(|c| c.unsigned_abs())
-        .max()
-        .unwrap_or(0);
+    let largest = coordinates.iter().map(|c| c.unsigned_abs()).max().unwrap_or(0);
     Register::holding(radix, largest).digits()
 }
 

@@ -21,10 +21,7 @@ impl OutputFile {
             _ => Path::new("."),
         };
         if path.is_dir() {
-            return Err(Failure::Fault(format!(
-                "{}: is a directory",
-                path.display()
-            )));
+            return Err(Failure::Fault(format!("{}: is a directory", path.display())));
         }
         let mut builder = tempfile::Builder::new();
         builder.prefix(".onepulse-");
@@ -34,22 +31,13 @@ impl OutputFile {
             // As any new file: the umask takes away what it should.
             builder.permissions(fs::Permissions::from_mode(0o666));
         }
-        let file = builder
-            .tempfile_in(folder)
-            .map_err(|error| Failure::file(path, &error))?;
-        Ok(Self {
-            path: path.to_owned(),
-            file,
-        })
+        let file = builder.tempfile_in(folder).map_err(|error| Failure::file(path, &error))?;
+        Ok(Self { path: path.to_owned(), file })
     }
 
     /// A buffered writer into the file.
     pub(crate) fn writer(&self) -> Result<BufWriter<fs::File>, Failure> {
-        let file = self
-            .file
-            .as_file()
-            .try_clone()
-            .map_err(|error| self.failure(&error))?;
+        let file = self.file.as_file().try_clone().map_err(|error| self.failure(&error))?;
         Ok(BufWriter::with_capacity(1 << 16, file))
     }
 
@@ -61,9 +49,7 @@ impl OutputFile {
     /// Moves the complete file to its place.
     pub(crate) fn finish(self) -> Result<(), Failure> {
         let path = self.path;
-        self.file
-            .persist(&path)
-            .map_err(|error| Failure::file(&path, &error.error))?;
+        self.file.persist(&path).map_err(|error| Failure::file(&path, &error.error))?;
         Ok(())
     }
 }
@@ -72,9 +58,7 @@ impl OutputFile {
 pub(crate) fn write_whole(path: &Path, text: &str) -> Result<OutputFile, Failure> {
     let file = OutputFile::create(path)?;
     let mut writer = file.writer()?;
-    let written = writer
-        .write_all(text.as_bytes())
-        .and_then(|()| writer.flush());
+    let written = writer.write_all(text.as_bytes()).and_then(|()| writer.flush());
     written.map_err(|error| file.failure(&error))?;
     Ok(file)
 }
@@ -91,10 +75,7 @@ impl OutputFolder {
     pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
         let is_new = !path.exists();
         fs::create_dir_all(path).map_err(|error| Failure::file(path, &error))?;
-        Ok(Self {
-            path: path.to_owned(),
-            is_new,
-        })
+        Ok(Self { path: path.to_owned(), is_new })
     }
 
     /// Where it is.

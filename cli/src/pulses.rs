@@ -15,9 +15,7 @@ pub(crate) fn pulses(arguments: &CurveArguments) -> Result<(), Failure> {
     let method = Method::from_options(&arguments.options).map_err(Failure::Usage)?;
     let curve = arguments.curve();
     let written = with_machines(&curve, &method, arguments.options.bits, ToStdout);
-    written
-        .map_err(Failure::Usage)?
-        .map_err(|error| Failure::stdout(&error))
+    written.map_err(Failure::Usage)?.map_err(|error| Failure::stdout(&error))
 }
 
 struct ToStdout;

@@ -15,26 +15,13 @@ use std::path::Path;
 pub(crate) fn wave(arguments: &WaveArguments) -> Result<(), Failure> {
     let options = &arguments.curve.options;
     let method = Method::from_options(options).map_err(Failure::Usage)?;
-    if matches!(
-        method,
-        Method::Dda {
-            radix: Radix::Decimal,
-            ..
-        }
-    ) {
-        return Err(Failure::Usage(
-            "the circuits are binary: leave --radix 10 out".into(),
-        ));
+    if matches!(method, Method::Dda { radix: Radix::Decimal, .. }) {
+        return Err(Failure::Usage("the circuits are binary: leave --radix 10 out".into()));
     }
     let Some(path) = &arguments.output else {
-        return Err(Failure::Usage(
-            "where to? add -o FILE.vcd or -o FILE.fst".into(),
-        ));
+        return Err(Failure::Usage("where to? add -o FILE.vcd or -o FILE.fst".into()));
     };
-    let recording = Recording {
-        path,
-        source_hz: arguments.source_hz,
-    };
+    let recording = Recording { path, source_hz: arguments.source_hz };
     with_machines(&arguments.curve.curve(), &method, options.bits, recording)
         .map_err(Failure::Usage)?
 }
@@ -58,15 +45,10 @@ impl Visitor for Recording<'_> {
         C: Circuit<N>,
     {
         let circuit = circuit().map_err(|why| Failure::Usage(why.to_string()))?;
-        let clock = self
-            .source_hz
-            .checked_mul(C::CLOCKS_PER_CYCLE)
-            .and_then(Clock::new);
+        let clock = self.source_hz.checked_mul(C::CLOCKS_PER_CYCLE).and_then(Clock::new);
         let Some(clock) = clock else {
             let fastest = Clock::FASTEST / C::CLOCKS_PER_CYCLE;
-            return Err(Failure::Usage(format!(
-                "--source-hz is 1 to {fastest} here"
-            )));
+            return Err(Failure::Usage(format!("--source-hz is 1 to {fastest} here")));
         };
         let mut list = SignalList::new();
         let bench = Bench::declare(&mut list, &start);
@@ -75,11 +57,7 @@ impl Visitor for Recording<'_> {
         let file_name = self.path.file_name().unwrap_or_default().to_string_lossy();
         let file = OutputFile::create(self.path)?;
         let failure = |error: io::Error| file.failure(&error);
-        match self
-            .path
-            .extension()
-            .and_then(|extension| extension.to_str())
-        {
+        match self.path.extension().and_then(|extension| extension.to_str()) {
             Some("vcd") => {
                 let wave = Vcd::new(file.writer()?, &list, clock.exponent()).map_err(failure)?;
                 record(Tracer::new(wave, &list), bench, first, circuit, clock).map_err(failure)?;
@@ -111,13 +89,7 @@ fn record<W: Wave, C: Circuit<N>, const N: usize>(
 ) -> io::Result<()> {
     let mut k = 0;
     while !circuit.done() {
-        bench.clock(
-            &mut tracer,
-            first,
-            &mut circuit,
-            clock.rise(k),
-            clock.fall(k),
-        );
+        bench.clock(&mut tracer, first, &mut circuit, clock.rise(k), clock.fall(k));
         tracer.check()?;
         k += 1;
     }

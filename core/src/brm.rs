@@ -45,10 +45,7 @@ impl<const AXES: usize> Line<AXES> {
         let largest = end.iter().fold(0, |most, c| c.unsigned_abs().max(most));
         let needed = Register::holding(Radix::Binary, largest).digits();
         if bits < needed {
-            return Err(Error::RegisterTooNarrow {
-                digits: bits,
-                needed,
-            });
+            return Err(Error::RegisterTooNarrow { digits: bits, needed });
         }
         Ok(Self {
             value: end.map(|c| u64::from(c.unsigned_abs())),
@@ -70,11 +67,7 @@ impl<const AXES: usize> Line<AXES> {
         self.clock += 1;
         let mut pulse = Pulse::NONE;
         for axis in 0..AXES {
-            pulse.0[axis] = if self.value[axis] & gate != 0 {
-                self.sign[axis]
-            } else {
-                0
-            };
+            pulse.0[axis] = if self.value[axis] & gate != 0 { self.sign[axis] } else { 0 };
             self.position[axis] += i64::from(pulse.0[axis]);
         }
         debug_assert!(self.invariant());

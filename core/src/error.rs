@@ -49,14 +49,12 @@ impl fmt::Display for Error {
                 "the circle through {x},{y} has a radius over {} pulses: its points do not fit 32-bit coordinates",
                 i32::MAX
             ),
-            Self::RegisterWidth { digits, widest } => write!(
-                f,
-                "a register of {digits} digits is not offered: 1 to {widest} are"
-            ),
-            Self::RegisterTooNarrow { digits, needed } => write!(
-                f,
-                "a register of {digits} digits cannot hold this curve: it needs {needed}"
-            ),
+            Self::RegisterWidth { digits, widest } => {
+                write!(f, "a register of {digits} digits is not offered: 1 to {widest} are")
+            }
+            Self::RegisterTooNarrow { digits, needed } => {
+                write!(f, "a register of {digits} digits cannot hold this curve: it needs {needed}")
+            }
             Self::NormalizationNeedsBinary => {
                 f.write_str("left-shift normalization is defined on binary registers: use radix 2")
             }

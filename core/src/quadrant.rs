@@ -103,14 +103,8 @@ impl Quadrant {
     pub const fn feeds(self, direction: Direction) -> Feeds {
         const fn feeds(towards: (Axis, i8), away: (Axis, i8)) -> Feeds {
             Feeds {
-                towards: Feed {
-                    axis: towards.0,
-                    sign: towards.1,
-                },
-                away: Feed {
-                    axis: away.0,
-                    sign: away.1,
-                },
+                towards: Feed { axis: towards.0, sign: towards.1 },
+                away: Feed { axis: away.0, sign: away.1 },
             }
         }
         use Axis::{X, Y};
@@ -161,11 +155,7 @@ mod tests {
                 for (feed, grows) in [(towards, false), (away, true)] {
                     let [dx, dy] = moved(feed);
                     assert_eq!(x * dx + y * dy > 0, grows, "{quadrant:?} {direction:?}");
-                    assert_eq!(
-                        (x * dy - y * dx).signum(),
-                        turn,
-                        "{quadrant:?} {direction:?}"
-                    );
+                    assert_eq!((x * dy - y * dx).signum(), turn, "{quadrant:?} {direction:?}");
                 }
                 assert_eq!(towards.axis, away.axis.other());
             }
@@ -195,10 +185,7 @@ mod tests {
             for _ in 0..4 {
                 // The axis fed towards zero arrives there and is fed away from then on.
                 let next = quadrant.next(direction);
-                assert_eq!(
-                    quadrant.feeds(direction).towards,
-                    next.feeds(direction).away
-                );
+                assert_eq!(quadrant.feeds(direction).towards, next.feeds(direction).away);
                 quadrant = next;
             }
             assert_eq!(quadrant, Quadrant::III);

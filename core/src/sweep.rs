@@ -109,11 +109,7 @@ impl Sweep {
         for feed in [self.feeds.towards, self.feeds.away] {
             let axis = feed.axis.index();
             let to_go = self.end[axis] - position[axis];
-            stands[axis] = if feed.sign > 0 {
-                to_go <= 0
-            } else {
-                to_go >= 0
-            };
+            stands[axis] = if feed.sign > 0 { to_go <= 0 } else { to_go >= 0 };
         }
         stands
     }

@@ -47,10 +47,7 @@ impl<const AXES: usize> Line<AXES> {
     pub fn new(end: [i32; AXES], bits: u32) -> Result<Self, Error> {
         software::brm::Line::new(end, bits)?;
         Ok(Self {
-            registers: Registers {
-                divider: 0,
-                tg: true,
-            },
+            registers: Registers { divider: 0, tg: true },
             value: end.map(|c| u64::from(c.unsigned_abs())),
             negative: end.map(|c| c < 0),
             bits,
@@ -69,11 +66,7 @@ impl<const AXES: usize> Line<AXES> {
                 passes && gated
             })
         });
-        Wires {
-            stages,
-            overflow: tg && rising >> self.bits == 1,
-            train,
-        }
+        Wires { stages, overflow: tg && rising >> self.bits == 1, train }
     }
 
     fn next(&self, wires: &Wires<AXES>) -> Registers {
@@ -91,12 +84,10 @@ impl<const AXES: usize> Circuit<AXES> for Line<AXES> {
 
     fn pulses(&self) -> Pulse<AXES> {
         let train = self.wires().train;
-        Pulse(core::array::from_fn(|axis| {
-            match (train[axis], self.negative[axis]) {
-                (false, _) => 0,
-                (true, false) => 1,
-                (true, true) => -1,
-            }
+        Pulse(core::array::from_fn(|axis| match (train[axis], self.negative[axis]) {
+            (false, _) => 0,
+            (true, false) => 1,
+            (true, true) => -1,
         }))
     }
 

@@ -87,11 +87,7 @@ impl Sweep {
             self.crossings > 0 && is_zero[towards.axis.index()] && !is_zero[away.axis.index()];
         let count = |axis: usize| wrap(self.je[axis] - i64::from(pulse.0[axis]), self.bits + 2);
         Self {
-            quadrant: if crosses {
-                self.quadrant.next(self.direction)
-            } else {
-                self.quadrant
-            },
+            quadrant: if crosses { self.quadrant.next(self.direction) } else { self.quadrant },
             crossings: self.crossings - u8::from(crosses),
             je: [count(0), count(1)],
             ..*self
@@ -103,12 +99,7 @@ impl Sweep {
         probe.signal("quadrant", Kind::Word(WORDS), self.quadrant as u64);
         probe.signal("crossings", Kind::Unsigned(3), u64::from(self.crossings));
         for axis in 0..2 {
-            probe.axis_signal(
-                "je",
-                axis,
-                Kind::Signed(self.bits + 2),
-                self.je[axis] as u64,
-            );
+            probe.axis_signal("je", axis, Kind::Signed(self.bits + 2), self.je[axis] as u64);
         }
     }
 }

@@ -28,10 +28,7 @@ fn assert_equal<S, C, E, const AXES: usize>(
             let mut circuit = circuit.cycles();
             for cycle in 1.. {
                 let (soft, hard) = (software.next(), circuit.next());
-                assert_eq!(
-                    soft, hard,
-                    "cycle {cycle} of {what:?}: software left, circuit right"
-                );
+                assert_eq!(soft, hard, "cycle {cycle} of {what:?}: software left, circuit right");
                 if soft.is_none() {
                     break;
                 }

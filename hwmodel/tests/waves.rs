@@ -24,21 +24,9 @@ fn trace<C: Circuit<AXES> + Clone, const AXES: usize>(dir: &Path, circuit: &C, h
     let clock = Clock::new(hertz).unwrap();
     let open = |name: &str| BufWriter::new(File::create(dir.join(name)).unwrap());
     let vcd = Vcd::new(open("wave.vcd"), &list, clock.exponent()).unwrap();
-    run(
-        Tracer::new(vcd, &list),
-        bench.clone(),
-        first,
-        circuit.clone(),
-        clock,
-    );
+    run(Tracer::new(vcd, &list), bench.clone(), first, circuit.clone(), clock);
     let fst = Fst::new(open("wave.fst"), &list, clock.exponent()).unwrap();
-    run(
-        Tracer::new(fst, &list),
-        bench,
-        first,
-        circuit.clone(),
-        clock,
-    );
+    run(Tracer::new(fst, &list), bench, first, circuit.clone(), clock);
 }
 
 fn run<W: Wave, C: Circuit<AXES>, const AXES: usize>(
@@ -50,13 +38,7 @@ fn run<W: Wave, C: Circuit<AXES>, const AXES: usize>(
 ) {
     let mut k = 0;
     while !circuit.done() {
-        bench.clock(
-            &mut tracer,
-            first,
-            &mut circuit,
-            clock.rise(k),
-            clock.fall(k),
-        );
+        bench.clock(&mut tracer, first, &mut circuit, clock.rise(k), clock.fall(k));
         k += 1;
     }
     bench.sample(&mut tracer, first, &circuit, clock.rise(k));
@@ -90,12 +72,7 @@ fn read(path: &Path) -> Changes {
 
 /// The value of a signal during clock period `k`, as a number.
 fn value_at(changes: &Changes, name: &str, time: u64) -> i64 {
-    let text = &changes[name]
-        .iter()
-        .rev()
-        .find(|(at, _)| *at <= time)
-        .unwrap()
-        .1;
+    let text = &changes[name].iter().rev().find(|(at, _)| *at <= time).unwrap().1;
     i64::from_str_radix(text, 2).unwrap()
 }
 
@@ -107,43 +84,19 @@ fn a_dda_line_shows_the_textbook_registers() {
     for file in ["wave.vcd", "wave.fst"] {
         let wave = wellen::simple::read(dir.path().join(file)).unwrap();
         let scale = wave.hierarchy().timescale().unwrap();
-        assert_eq!(
-            (scale.factor, scale.unit.to_exponent()),
-            (100, Some(-9)),
-            "{file}"
-        );
+        assert_eq!((scale.factor, scale.unit.to_exponent()), (100, Some(-9)), "{file}");
 
         // 1 MHz: a clock period is 10 units of 100 ns. JR after k clocks is k·JV mod 8.
         let changes = read(&dir.path().join(file));
         for k in 0..=8_u64 {
             let at = |name: &str| value_at(&changes, name, 10 * k);
-            assert_eq!(
-                at("onepulse.dda_line.jrx"),
-                (4 * k % 8) as i64,
-                "{file}, clock {k}"
-            );
-            assert_eq!(
-                at("onepulse.dda_line.jry"),
-                (6 * k % 8) as i64,
-                "{file}, clock {k}"
-            );
-            assert_eq!(
-                at("onepulse.position_x"),
-                (4 * k / 8) as i64,
-                "{file}, clock {k}"
-            );
-            assert_eq!(
-                at("onepulse.position_y"),
-                (6 * k / 8) as i64,
-                "{file}, clock {k}"
-            );
+            assert_eq!(at("onepulse.dda_line.jrx"), (4 * k % 8) as i64, "{file}, clock {k}");
+            assert_eq!(at("onepulse.dda_line.jry"), (6 * k % 8) as i64, "{file}, clock {k}");
+            assert_eq!(at("onepulse.position_x"), (4 * k / 8) as i64, "{file}, clock {k}");
+            assert_eq!(at("onepulse.position_y"), (6 * k / 8) as i64, "{file}, clock {k}");
             assert_eq!(at("onepulse.dda_line.je"), 8 - k as i64);
             let carries = k < 8 && 6 * k % 8 + 6 >= 8;
-            assert_eq!(
-                at("onepulse.pulse_y"),
-                i64::from(carries),
-                "{file}, clock {k}"
-            );
+            assert_eq!(at("onepulse.pulse_y"), i64::from(carries), "{file}, clock {k}");
             assert_eq!(value_at(&changes, "onepulse.clk", 10 * k), 1);
             if k < 8 {
                 assert_eq!(value_at(&changes, "onepulse.clk", 10 * k + 5), 0);
@@ -159,10 +112,7 @@ fn the_four_beats_read_as_words() {
     let arc = ppc::Arc::new([5, 0], [0, 5], Direction::Ccw, 3, EndRule::Total).unwrap();
     trace(dir.path(), &arc, 4_000_000);
     let changes = read(&dir.path().join("wave.vcd"));
-    let beats: Vec<_> = changes["onepulse.ppc_arc.beat"]
-        .iter()
-        .map(|(_, w)| w.as_str())
-        .collect();
+    let beats: Vec<_> = changes["onepulse.ppc_arc.beat"].iter().map(|(_, w)| w.as_str()).collect();
     let step = ["JUDGE", "FEED", "UPDATE", "COMPARE"];
     assert_eq!(beats[..8], [step, step].concat());
     assert_eq!(beats.len(), 41);
@@ -179,9 +129,7 @@ fn the_four_beats_read_as_words() {
         .iter()
         .map(|(_, bits)| {
             let bytes = (0..bits.len()).step_by(8);
-            bytes
-                .map(|at| u8::from_str_radix(&bits[at..at + 8], 2).unwrap() as char)
-                .collect()
+            bytes.map(|at| u8::from_str_radix(&bits[at..at + 8], 2).unwrap() as char).collect()
         })
         .collect();
     let ascii: Vec<_> = ascii.iter().map(|word| word.trim_matches('\0')).collect();
@@ -217,11 +165,8 @@ fn assert_faithful<C: Circuit<AXES> + Clone, const AXES: usize>(circuit: &C) {
     let mut list = SignalList::new();
     let first = list.add_circuit(circuit);
     assert_eq!(first, 0);
-    let names: Vec<_> = list
-        .signals()
-        .iter()
-        .map(|s| format!("onepulse.{}.{}", C::NAME, s.name))
-        .collect();
+    let names: Vec<_> =
+        list.signals().iter().map(|s| format!("onepulse.{}.{}", C::NAME, s.name)).collect();
 
     let vcd = read(&dir.path().join("wave.vcd"));
     let mut circuit = circuit.clone();
@@ -240,14 +185,8 @@ fn assert_faithful<C: Circuit<AXES> + Clone, const AXES: usize>(circuit: &C) {
         circuit.clock();
     }
     for (name, changes) in &vcd {
-        assert!(
-            changes.windows(2).all(|pair| pair[0].1 != pair[1].1),
-            "{name} repeats a value"
-        );
-        assert!(
-            changes.windows(2).all(|pair| pair[0].0 < pair[1].0),
-            "{name} runs backwards"
-        );
+        assert!(changes.windows(2).all(|pair| pair[0].1 != pair[1].1), "{name} repeats a value");
+        assert!(changes.windows(2).all(|pair| pair[0].0 < pair[1].0), "{name} runs backwards");
     }
 
     // FST and GTKWave's own converter agree with the VCD in everything but how words are kept.
@@ -260,22 +199,13 @@ fn assert_faithful<C: Circuit<AXES> + Clone, const AXES: usize>(circuit: &C) {
         .status;
     assert!(status.success(), "vcd2fst: {status}");
     let converted = read(&converted);
-    assert_eq!(
-        vcd.keys().collect::<Vec<_>>(),
-        fst.keys().collect::<Vec<_>>()
-    );
-    assert_eq!(
-        vcd.keys().collect::<Vec<_>>(),
-        converted.keys().collect::<Vec<_>>()
-    );
+    assert_eq!(vcd.keys().collect::<Vec<_>>(), fst.keys().collect::<Vec<_>>());
+    assert_eq!(vcd.keys().collect::<Vec<_>>(), converted.keys().collect::<Vec<_>>());
     for (name, changes) in &vcd {
         assert_eq!(&converted[name], changes, "{name} as vcd2fst has it");
         let times = |changes: &[(u64, String)]| changes.iter().map(|c| c.0).collect::<Vec<_>>();
         assert_eq!(times(&fst[name]), times(changes), "{name} in the FST");
-        if changes
-            .iter()
-            .all(|(_, value)| value.bytes().all(|b| b == b'0' || b == b'1'))
-        {
+        if changes.iter().all(|(_, value)| value.bytes().all(|b| b == b'0' || b == b'1')) {
             assert_eq!(&fst[name], changes, "{name} in the FST");
         }
     }
@@ -299,10 +229,7 @@ fn the_layout_names_every_signal_of_the_wave() {
     Bench::declare(&mut list, &[0; 2]);
     list.add_circuit(&circuit);
     let layout = gtkw("wave.vcd", &list);
-    let shown: Vec<_> = layout
-        .lines()
-        .filter(|line| line.starts_with("onepulse."))
-        .collect();
+    let shown: Vec<_> = layout.lines().filter(|line| line.starts_with("onepulse.")).collect();
     assert_eq!(shown.len(), list.signals().len());
     assert!(shown.contains(&"onepulse.ppc_line.f[3:0]"), "{layout}");
     assert!(shown.contains(&"onepulse.ppc_line.beat"), "{layout}");
@@ -315,10 +242,7 @@ fn what_no_viewer_could_show_is_refused() {
     let mut twice = SignalList::new();
     twice.add("clk", Kind::Bit);
     twice.add("clk", Kind::Bit);
-    assert_eq!(
-        refused(&twice).as_deref(),
-        Some("two signals are named .clk")
-    );
+    assert_eq!(refused(&twice).as_deref(), Some("two signals are named .clk"));
     let mut blank = SignalList::new();
     blank.add("a b", Kind::Bit);
     assert!(refused(&blank).is_some());

@@ -28,13 +28,7 @@ impl Diagnostic {
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "line {}, column {}: {}",
-            self.line,
-            self.column(),
-            self.message
-        )
+        write!(f, "line {}, column {}: {}", self.line, self.column(), self.message)
     }
 }
 

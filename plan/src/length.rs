@@ -56,9 +56,7 @@ impl Length {
         if product % divisor != 0 {
             return Err(LengthError::TooFine);
         }
-        i64::try_from(product / divisor)
-            .map(Self)
-            .map_err(|_| LengthError::TooLong)
+        i64::try_from(product / divisor).map(Self).map_err(|_| LengthError::TooLong)
     }
 
     /// The sum, if it is not too long.
@@ -85,11 +83,7 @@ impl Length {
     pub const fn in_pulses(self, pulse: Self) -> i64 {
         let (whole, rest) = (self.0 / pulse.0, self.0 % pulse.0);
         let rounds_up = rest.unsigned_abs() >= pulse.0.unsigned_abs().div_ceil(2);
-        if rounds_up {
-            whole + self.0.signum()
-        } else {
-            whole
-        }
+        if rounds_up { whole + self.0.signum() } else { whole }
     }
 }
 
@@ -136,10 +130,7 @@ mod tests {
     fn decimals_are_exact() {
         assert_eq!(mm("0.1").picometres() * 3, mm("0.3").picometres());
         assert_eq!(mm("-12.000000001").picometres(), -12_000_000_001);
-        assert_eq!(
-            Length::of(100_000_001, 8, Length::INCH).unwrap(),
-            mm("25.400000254")
-        );
+        assert_eq!(Length::of(100_000_001, 8, Length::INCH).unwrap(), mm("25.400000254"));
         assert_eq!("0.0000000001".parse::<Length>(), Err(LengthError::TooFine));
         assert_eq!("9999999999999".parse::<Length>(), Err(LengthError::TooLong));
         for bad in ["", "-", "1e3", "1.-2", "x", "1.2.3"] {

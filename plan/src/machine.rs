@@ -28,10 +28,6 @@ impl Machine {
     #[must_use]
     pub const fn with_pulse(pulse: Length) -> Self {
         let rapid = Length::from_picometres(3000 * Length::MILLIMETRE.picometres());
-        Self {
-            pulse,
-            rapid,
-            integers: Integers::Pulses,
-        }
+        Self { pulse, rapid, integers: Integers::Pulses }
     }
 }

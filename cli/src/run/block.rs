@@ -69,8 +69,7 @@ impl BlockRun<'_> {
         let mut cycles = 0;
         let mut pulses = [0; 2];
         let mut disagreement = None;
-        self.outputs
-            .begin(self.motion, self.cycles_per_second, &circuit)?;
+        self.outputs.begin(self.motion, self.cycles_per_second, &circuit)?;
         loop {
             let due = software.next();
             if circuit.done() != due.is_none() {
@@ -108,13 +107,6 @@ impl BlockRun<'_> {
         let residual =
             [0, 1].map(|axis| i64::from(self.motion.to[axis]) - self.origin[axis] - position[axis]);
         let deviation = self.deviation.in_pulses();
-        Ok(BlockResult {
-            cycles,
-            pulses,
-            deviation,
-            residual,
-            seconds,
-            disagreement,
-        })
+        Ok(BlockResult { cycles, pulses, deviation, residual, seconds, disagreement })
     }
 }

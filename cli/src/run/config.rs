@@ -78,18 +78,14 @@ impl Config {
         }
         let given = &arguments.options;
         if given.radix.as_deref() == Some("10") {
-            return Err(Failure::Usage(
-                "the circuits are binary: leave --radix 10 out".into(),
-            ));
+            return Err(Failure::Usage("the circuits are binary: leave --radix 10 out".into()));
         }
         let method = given.method.or(file.method).unwrap_or(MethodName::Ppc);
         // Settings of the file that another method would use wait there for it.
         let is_dda = method == MethodName::Dda;
         let options = Options {
             method: Some(method),
-            end_rule: given
-                .end_rule
-                .or(file.end_rule.filter(|_| method == MethodName::Ppc)),
+            end_rule: given.end_rule.or(file.end_rule.filter(|_| method == MethodName::Ppc)),
             bits: None,
             radix: given.radix.clone(),
             preset: given.preset.or(file.preset.filter(|_| is_dda)),
@@ -97,11 +93,7 @@ impl Config {
             update: given.update.or(file.update.filter(|_| is_dda)),
         };
         let bits = given.bits.or(file.bits).unwrap_or(BITS);
-        Ok(Self {
-            machine,
-            bits,
-            options,
-        })
+        Ok(Self { machine, bits, options })
     }
 
     /// The speed that a motion is to have.
@@ -110,10 +102,7 @@ impl Config {
             Rate::Rapid => self.machine.rapid,
             Rate::Feed(feed) => feed,
         };
-        Speed {
-            per_minute,
-            pulse: self.machine.pulse,
-        }
+        Speed { per_minute, pulse: self.machine.pulse }
     }
 }
 

@@ -8,28 +8,17 @@ pub(super) enum Deviation {
     /// From the straight line through the origin and `to`: the largest |x_e·y − y_e·x|.
     Line { to: [i128; 2], largest: i128 },
     /// From the circle about the origin: the smallest and largest x² + y².
-    Circle {
-        radius_squared: i128,
-        smallest: i128,
-        largest: i128,
-    },
+    Circle { radius_squared: i128, smallest: i128, largest: i128 },
 }
 
 impl Deviation {
     /// The deviation of a path that has not begun.
     pub(super) fn of(curve: &Curve) -> Self {
         match curve {
-            Curve::Line { to } => Self::Line {
-                to: [to[0].into(), to[1].into()],
-                largest: 0,
-            },
+            Curve::Line { to } => Self::Line { to: [to[0].into(), to[1].into()], largest: 0 },
             &Curve::Arc { from, .. } => {
                 let radius_squared = square(from.map(i64::from));
-                Self::Circle {
-                    radius_squared,
-                    smallest: radius_squared,
-                    largest: radius_squared,
-                }
+                Self::Circle { radius_squared, smallest: radius_squared, largest: radius_squared }
             }
         }
     }
@@ -37,17 +26,10 @@ impl Deviation {
     /// Takes a point of the path, relative to the curve's origin.
     pub(super) fn reach(&mut self, [x, y]: [i64; 2]) {
         match self {
-            Self::Line {
-                to: [xe, ye],
-                largest,
-            } => {
-                *largest = (*xe * i128::from(y) - *ye * i128::from(x))
-                    .abs()
-                    .max(*largest);
+            Self::Line { to: [xe, ye], largest } => {
+                *largest = (*xe * i128::from(y) - *ye * i128::from(x)).abs().max(*largest);
             }
-            Self::Circle {
-                smallest, largest, ..
-            } => {
+            Self::Circle { smallest, largest, .. } => {
                 let here = square([x, y]);
                 *smallest = here.min(*smallest);
                 *largest = here.max(*largest);
@@ -59,15 +41,8 @@ impl Deviation {
     pub(super) fn in_pulses(self) -> f64 {
         match self {
             Self::Line { largest: 0, .. } => 0.0,
-            Self::Line {
-                to: [xe, ye],
-                largest,
-            } => largest as f64 / (xe as f64).hypot(ye as f64),
-            Self::Circle {
-                radius_squared,
-                smallest,
-                largest,
-            } => {
+            Self::Line { to: [xe, ye], largest } => largest as f64 / (xe as f64).hypot(ye as f64),
+            Self::Circle { radius_squared, smallest, largest } => {
                 // √a − √b without losing the difference of two large roots.
                 let gap =
                     |a: i128, b: i128| (a - b) as f64 / ((a as f64).sqrt() + (b as f64).sqrt());
@@ -91,11 +66,7 @@ mod tests {
         let mut line = Deviation::of(&Curve::Line { to: vec![3, 4] });
         line.reach([1, 0]);
         assert!((line.in_pulses() - 0.8).abs() < 1e-12);
-        let curve = Curve::Arc {
-            from: [5, 0],
-            to: [0, 5],
-            direction: Direction::Ccw,
-        };
+        let curve = Curve::Arc { from: [5, 0], to: [0, 5], direction: Direction::Ccw };
         let mut circle = Deviation::of(&curve);
         circle.reach([4, 4]);
         circle.reach([4, 2]);

@@ -41,10 +41,9 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     while let Some(motion) = program.next() {
         let motion = motion.map_err(|error| match error {
             ProgramError::Input(error) => Failure::file(&arguments.program, &error),
-            ProgramError::Program(diagnostic) => Failure::Program {
-                file: name.clone(),
-                diagnostic,
-            },
+            ProgramError::Program(diagnostic) => {
+                Failure::Program { file: name.clone(), diagnostic }
+            }
         })?;
         let curve = curve(&motion);
         let speed = config.speed(&motion);
@@ -62,18 +61,12 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         };
         let refused = |why: String| {
             let diagnostic = refused_block(&motion, program.text(), why);
-            Failure::Program {
-                file: name.clone(),
-                diagnostic: Box::new(diagnostic),
-            }
+            Failure::Program { file: name.clone(), diagnostic: Box::new(diagnostic) }
         };
         let result = with_machines(&curve, &method, Some(config.bits), run).map_err(refused)??;
         short = [0, 1].map(|axis| short[axis] + result.residual[axis]);
         let report = BlockReport::new(&motion, &method, speed, &result);
-        summary.add(
-            &report,
-            [0, 1].map(|axis| i64::from(motion.to[axis]) - short[axis]),
-        );
+        summary.add(&report, [0, 1].map(|axis| i64::from(motion.to[axis]) - short[axis]));
         outputs.report.block(&report)?;
     }
     bar.finish_and_clear();
@@ -82,9 +75,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     if summary.agrees {
         Ok(())
     } else {
-        Err(Failure::Fault(
-            "the hardware model and the software disagree: see report.json".into(),
-        ))
+        Err(Failure::Fault("the hardware model and the software disagree: see report.json".into()))
     }
 }
 
@@ -93,17 +84,11 @@ fn curve(motion: &Motion) -> Curve {
     let Motion { from, to, .. } = *motion;
     match motion.curve {
         // Any two points of a program are an i32 apart, and an arc's are from its centre.
-        plan::Curve::Line => Curve::Line {
-            to: vec![to[0] - from[0], to[1] - from[1]],
-        },
+        plan::Curve::Line => Curve::Line { to: vec![to[0] - from[0], to[1] - from[1]] },
         plan::Curve::Arc { centre, direction } => {
             let seen =
                 |point: [i32; 2]| [0, 1].map(|axis| (i64::from(point[axis]) - centre[axis]) as i32);
-            Curve::Arc {
-                from: seen(from),
-                to: seen(to),
-                direction,
-            }
+            Curve::Arc { from: seen(from), to: seen(to), direction }
         }
     }
 }

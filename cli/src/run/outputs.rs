@@ -68,15 +68,7 @@ impl Outputs {
         };
         let program = arguments.program.display().to_string();
         let report = Report::begin(folder.create("report.json")?, &program, config, method)?;
-        Ok(Self {
-            pulses,
-            pulses_file,
-            picture,
-            waves,
-            report,
-            line: 0,
-            folder,
-        })
+        Ok(Self { pulses, pulses_file, picture, waves, report, line: 0, folder })
     }
 
     /// Begins a block.
@@ -137,31 +129,18 @@ impl Outputs {
             waves.start = end.max(waves.edge(2 * waves.clocks));
             let (first, start) = (waves.first, waves.start);
             waves.bench.sample(&mut waves.tracer, first, circuit, start);
-            waves
-                .tracer
-                .check()
-                .map_err(|error| waves.file.failure(&error))?;
+            waves.tracer.check().map_err(|error| waves.file.failure(&error))?;
         }
         self.picture.end_block()
     }
 
     /// Completes the files; only now they appear in the folder.
     pub(super) fn finish(mut self, summary: &Summary, config: &Config) -> Result<(), Failure> {
-        self.pulses
-            .flush()
-            .map_err(|error| self.pulses_file.failure(&error))?;
+        self.pulses.flush().map_err(|error| self.pulses_file.failure(&error))?;
         let mut files = vec![self.pulses_file, self.picture.finish()?];
         if let Some(waves) = self.waves {
-            let Waves {
-                tracer,
-                file,
-                list,
-                start,
-                ..
-            } = waves;
-            tracer
-                .finish(start + 1)
-                .map_err(|error| file.failure(&error))?;
+            let Waves { tracer, file, list, start, .. } = waves;
+            tracer.finish(start + 1).map_err(|error| file.failure(&error))?;
             let layout = self.folder.path().join("waves.gtkw");
             files.push(write_whole(&layout, &gtkw("waves.vcd", &list))?);
             files.push(file);
@@ -204,8 +183,7 @@ impl Waves {
     fn clock<C: Circuit<N>, const N: usize>(&mut self, circuit: &mut C) -> Pulse<N> {
         let (rise, fall) = (self.edge(2 * self.clocks), self.edge(2 * self.clocks + 1));
         self.clocks += 1;
-        self.bench
-            .clock(&mut self.tracer, self.first, circuit, rise, fall)
+        self.bench.clock(&mut self.tracer, self.first, circuit, rise, fall)
     }
 }
 
@@ -224,23 +202,16 @@ fn declare_circuits(
             add(list, &hw::ppc::Line::new(x, bits, end_rule)?),
             add(list, &hw::ppc::Arc::new(x, y, direction, bits, end_rule)?),
         ],
-        Method::Dda {
-            preset,
-            normalize,
-            update,
-            ..
-        } => {
+        Method::Dda { preset, normalize, update, .. } => {
             let preset = preset.unwrap_or_default();
             let line = add(list, &hw::dda::Line::new(x, bits, preset, normalize)?);
             let arc = match update {
-                UpdateName::Staggered => add(
-                    list,
-                    &hw::dda::CentredArc::new(x, y, direction, bits, normalize)?,
-                ),
-                UpdateName::Simultaneous => add(
-                    list,
-                    &hw::dda::Arc::new(x, y, direction, bits, preset, normalize)?,
-                ),
+                UpdateName::Staggered => {
+                    add(list, &hw::dda::CentredArc::new(x, y, direction, bits, normalize)?)
+                }
+                UpdateName::Simultaneous => {
+                    add(list, &hw::dda::Arc::new(x, y, direction, bits, preset, normalize)?)
+                }
             };
             vec![line, arc]
         }

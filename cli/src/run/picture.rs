@@ -28,9 +28,10 @@ const FRAME: usize = 200;
 /// no eye could tell the steps from the curve; curves are drawn to the last.
 const CORNERS: u32 = 400_000;
 
-const STYLE: &str = "<style>path{fill:none;vector-effect:non-scaling-stroke;stroke-linejoin:round}\
-.f{stroke:#b8c4d6;stroke-width:5}.r{stroke:#c9c9c9;stroke-width:1.5;stroke-dasharray:6 4}\
-.s{stroke:#c0392b;stroke-width:1}</style>\n<g transform=\"scale(1,-1)\">\n";
+/// An em is a pixel of the picture at its first size: the frame sets the font size so.
+const STYLE: &str = "<style>path{fill:none;stroke-linejoin:round}\
+.f{stroke:#9db8d9;stroke-width:4em}.r{stroke:#b9b9b9;stroke-width:1.5em;stroke-dasharray:6em 4em}\
+.s{stroke:#c0392b;stroke-width:.8em}</style>\n<g transform=\"scale(1,-1)\">\n";
 
 impl Picture {
     pub(super) fn begin(file: OutputFile) -> Result<Self, Failure> {
@@ -122,7 +123,8 @@ impl Picture {
         let size = [high[0] - low[0], high[1] - low[1]].map(|side| side.max(1) as f64);
         let margin = size[0].max(size[1]) * 0.04;
         let tag = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\" viewBox=\"{:.1} {:.1} {:.1} {:.1}\">",
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\" font-size=\"{:.4}\" viewBox=\"{:.1} {:.1} {:.1} {:.1}\">",
+            (size[0] + 2.0 * margin) / 900.0,
             low[0] as f64 - margin,
             -(high[1] as f64) - margin,
             size[0] + 2.0 * margin,
@@ -160,13 +162,6 @@ fn arc(motion: &Motion, centre: [i64; 2], direction: Direction) -> String {
         );
     }
     let turn = start[0] * end[1] - start[1] * end[0];
-    let is_long = if direction == Direction::Ccw {
-        turn < 0.0
-    } else {
-        turn > 0.0
-    };
-    format!(
-        "M{x} {y}A{radius:.3} {radius:.3} 0 {} {sense} {xe} {ye}",
-        u8::from(is_long)
-    )
+    let is_long = if direction == Direction::Ccw { turn < 0.0 } else { turn > 0.0 };
+    format!("M{x} {y}A{radius:.3} {radius:.3} 0 {} {sense} {xe} {ye}", u8::from(is_long))
 }

@@ -52,36 +52,16 @@ impl BlockReport {
         let curve = match (motion.curve, motion.rate) {
             (Curve::Line, Rate::Rapid) => "rapid",
             (Curve::Line, Rate::Feed(_)) => "line",
-            (
-                Curve::Arc {
-                    direction: Direction::Cw,
-                    ..
-                },
-                _,
-            ) => "arc cw",
-            (
-                Curve::Arc {
-                    direction: Direction::Ccw,
-                    ..
-                },
-                _,
-            ) => "arc ccw",
+            (Curve::Arc { direction: Direction::Cw, .. }, _) => "arc cw",
+            (Curve::Arc { direction: Direction::Ccw, .. }, _) => "arc ccw",
         };
         let method = match (method, motion.curve) {
-            (
-                Method::Dda {
-                    update: UpdateName::Staggered,
-                    ..
-                },
-                Curve::Arc { .. },
-            ) => "dda staggered",
-            (
-                Method::Dda {
-                    update: UpdateName::Simultaneous,
-                    ..
-                },
-                Curve::Arc { .. },
-            ) => "dda simultaneous",
+            (Method::Dda { update: UpdateName::Staggered, .. }, Curve::Arc { .. }) => {
+                "dda staggered"
+            }
+            (Method::Dda { update: UpdateName::Simultaneous, .. }, Curve::Arc { .. }) => {
+                "dda simultaneous"
+            }
             _ => method.name(),
         };
         Self {
@@ -116,11 +96,7 @@ impl Report {
         config: &Config,
         method: &Method,
     ) -> Result<Self, Failure> {
-        let mut report = Self {
-            out: file.writer()?,
-            file,
-            is_first: true,
-        };
+        let mut report = Self { out: file.writer()?, file, is_first: true };
         let machine = serde_json::json!({
             "pulse_mm": config.machine.pulse.millimetres(),
             "bits": config.bits,
@@ -246,11 +222,7 @@ impl Summary {
         config: &Config,
     ) -> io::Result<()> {
         let pulse = config.machine.pulse.millimetres();
-        writeln!(
-            out,
-            "{program}: pulse equivalent {pulse} mm, {} bit registers\n",
-            config.bits
-        )?;
+        writeln!(out, "{program}: pulse equivalent {pulse} mm, {} bit registers\n", config.bits)?;
         writeln!(
             out,
             "{:>6}  {:8}  {:16}  {:>10}  {:>8}  {:>8}  {:>9}  {:>9}  {:>9}",
@@ -276,11 +248,7 @@ impl Summary {
             )?;
         }
         if self.blocks > self.shown.len() as u64 {
-            writeln!(
-                out,
-                "   ...  {} more in report.json",
-                self.blocks - self.shown.len() as u64
-            )?;
+            writeln!(out, "   ...  {} more in report.json", self.blocks - self.shown.len() as u64)?;
         }
         let [x, y] = self.position;
         writeln!(
@@ -289,17 +257,9 @@ impl Summary {
             self.blocks, self.cycles, self.pulses[0], self.pulses[1], self.seconds
         )?;
         writeln!(out, "largest deviation {:.4} pulses", self.deviation)?;
-        let exact = if self.endpoints_exact {
-            "every"
-        } else {
-            "NOT every"
-        };
+        let exact = if self.endpoints_exact { "every" } else { "NOT every" };
         writeln!(out, "{exact} block ends exactly on its end point")?;
-        let agree = if self.agrees {
-            "agree on every pulse"
-        } else {
-            "DISAGREE"
-        };
+        let agree = if self.agrees { "agree on every pulse" } else { "DISAGREE" };
         writeln!(out, "hardware model and software {agree}")?;
         writeln!(out, "written to {}", folder.display())?;
         out.flush()

@@ -61,16 +61,8 @@ fn line_shift(to: &[i32], method: &Method, bits: u32) -> u32 {
 
 /// Q of an arc; 0 where the machine will be refused anyway.
 fn arc_shift(curve: &Curve, method: &Method, bits: u32) -> u32 {
-    let (
-        Method::Dda {
-            normalize, update, ..
-        },
-        &Curve::Arc {
-            from,
-            to,
-            direction,
-        },
-    ) = (method, curve)
+    let (Method::Dda { normalize, update, .. }, &Curve::Arc { from, to, direction }) =
+        (method, curve)
     else {
         return 0;
     };

@@ -23,10 +23,7 @@ pub(super) struct CentredArcTable {
 fn headings(axes: usize, counters: &[&str], language: Language) -> Vec<String> {
     let mut headings = vec![language.pick("cycle", "累加次数").to_owned()];
     for axis in &AXES[..axes] {
-        headings.push(format!(
-            "{} JV{axis}",
-            language.pick("integrand", "被积函数")
-        ));
+        headings.push(format!("{} JV{axis}", language.pick("integrand", "被积函数")));
         headings.push(format!("{} JR{axis}", language.pick("remainder", "余数")));
         headings.push(format!("{} Δ{axis}", language.pick("overflow", "溢出")));
     }
@@ -60,13 +57,7 @@ impl<const N: usize> Table for LineTable<N> {
     fn rows(&self, _: Language) -> impl Iterator<Item = Vec<String>> {
         let show = |cycle, machine: &dda::Line<N>, pulse| {
             let integrands = machine.integrands().map(|jv| jv.to_string());
-            row(
-                cycle,
-                integrands,
-                machine.remainders(),
-                pulse,
-                &[machine.remaining()],
-            )
+            row(cycle, integrands, machine.remainders(), pulse, &[machine.remaining()])
         };
         let mut machine = self.machine;
         let first = show(0, &machine, Pulse::NONE);

@@ -66,22 +66,9 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<(), Failure> {
     match (method, &curve) {
         (Method::Ppc { end_rule }, Curve::Line { to }) => {
             let machine = core::ppc::Line::new([to[0], to[1]], end_rule).map_err(write)?;
-            print(
-                &ppc::LineTable {
-                    machine,
-                    end: [to[0], to[1]],
-                },
-                arguments,
-            )
+            print(&ppc::LineTable { machine, end: [to[0], to[1]] }, arguments)
         }
-        (
-            Method::Ppc { end_rule },
-            &Curve::Arc {
-                from,
-                to,
-                direction,
-            },
-        ) => {
+        (Method::Ppc { end_rule }, &Curve::Arc { from, to, direction }) => {
             let machine = core::ppc::Arc::new(from, to, direction, end_rule).map_err(write)?;
             print(&ppc::ArcTable { machine }, arguments)
         }
@@ -91,19 +78,7 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<(), Failure> {
             [x, y, z, a] => line([x, y, z, a], &method, arguments),
             _ => Err(Failure::Usage("a line has 2 to 4 axes".into())),
         },
-        (
-            Method::Dda {
-                preset,
-                normalize,
-                update,
-                ..
-            },
-            &Curve::Arc {
-                from,
-                to,
-                direction,
-            },
-        ) => {
+        (Method::Dda { preset, normalize, update, .. }, &Curve::Arc { from, to, direction }) => {
             let register = |needed: Result<u32, Error>| {
                 let bits = options.bits.map_or(needed, Ok).map_err(write)?;
                 Register::new(Radix::Binary, bits).map_err(write)
@@ -112,26 +87,16 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<(), Failure> {
                 let register = register(core::dda::Arc::bits(from, to, direction))?;
                 let preset = preset.unwrap_or_default();
                 let machine = core::dda::Arc::new(from, to, direction, register, preset, normalize);
-                print(
-                    &dda::ArcTable {
-                        machine: machine.map_err(write)?,
-                    },
-                    arguments,
-                )
+                print(&dda::ArcTable { machine: machine.map_err(write)? }, arguments)
             } else {
                 let register = register(core::dda::CentredArc::bits(from, to, direction))?;
                 let machine = core::dda::CentredArc::new(from, to, direction, register, normalize);
-                print(
-                    &dda::CentredArcTable {
-                        machine: machine.map_err(write)?,
-                    },
-                    arguments,
-                )
+                print(&dda::CentredArcTable { machine: machine.map_err(write)? }, arguments)
             }
         }
-        (Method::Brm, Curve::Arc { .. }) => Err(Failure::Usage(
-            "the rate multiplier serves lines only".into(),
-        )),
+        (Method::Brm, Curve::Arc { .. }) => {
+            Err(Failure::Usage("the rate multiplier serves lines only".into()))
+        }
     }
 }
 
@@ -144,12 +109,7 @@ fn line<const N: usize>(
     let largest = to.iter().map(|c| c.unsigned_abs()).max().unwrap_or(0);
     let bits = arguments.curve.options.bits;
     match *method {
-        Method::Dda {
-            radix,
-            preset,
-            normalize,
-            ..
-        } => {
+        Method::Dda { radix, preset, normalize, .. } => {
             let digits = bits.unwrap_or_else(|| Register::holding(radix, largest).digits());
             let register = Register::new(radix, digits).map_err(write)?;
             let preset = preset.unwrap_or_default();
@@ -165,12 +125,7 @@ fn line<const N: usize>(
 }
 
 fn print(table: &impl Table, arguments: &TableArguments) -> Result<(), Failure> {
-    let written = layout::write(
-        std::io::stdout().lock(),
-        table,
-        arguments.format,
-        arguments.lang,
-    );
+    let written = layout::write(std::io::stdout().lock(), table, arguments.format, arguments.lang);
     written.map_err(|error| Failure::stdout(&error))
 }
 

@@ -27,23 +27,15 @@ fn headings(language: Language) -> Vec<String> {
 
 fn start(language: Language, rest: &str, counter: u64) -> Vec<String> {
     let start = language.pick("start", "起点").to_owned();
-    vec![
-        start,
-        String::new(),
-        String::new(),
-        format!("F0 = 0{rest}"),
-        format!("E = {counter}"),
-    ]
+    vec![start, String::new(), String::new(), format!("F0 = 0{rest}"), format!("E = {counter}")]
 }
 
 /// The judge beat: F against zero, or why F does not decide.
 fn judged(step: u64, f: i64, overruled: Option<usize>, language: Language) -> String {
     match overruled {
-        Some(axis) => format!(
-            "F{step} = {f}, {} {}",
-            ["x", "y"][axis],
-            language.pick("stands", "已到终点")
-        ),
+        Some(axis) => {
+            format!("F{step} = {f}, {} {}", ["x", "y"][axis], language.pick("stands", "已到终点"))
+        }
         None if f == 0 => format!("F{step} = 0"),
         None => format!("F{step} = {f} {} 0", if f > 0 { ">" } else { "<" }),
     }
@@ -92,11 +84,7 @@ impl Table for ArcTable {
     fn rows(&self, language: Language) -> impl Iterator<Item = Vec<String>> {
         let mut machine = self.machine;
         let [x, y] = machine.position();
-        let first = start(
-            language,
-            &format!(", x = {x}, y = {y}"),
-            machine.remaining(),
-        );
+        let first = start(language, &format!(", x = {x}, y = {y}"), machine.remaining());
         let steps = (0_u64..).map_while(move |step| {
             let (f, counter) = (machine.deviation_function(), machine.remaining());
             let (before, feeds) = (machine.position(), machine.sweep().feeds());

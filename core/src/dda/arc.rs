@@ -45,17 +45,12 @@ impl Arc {
         }
         let needed = Self::bits(start, end, direction)?;
         if register.digits() < needed {
-            return Err(Error::RegisterTooNarrow {
-                digits: register.digits(),
-                needed,
-            });
+            return Err(Error::RegisterTooNarrow { digits: register.digits(), needed });
         }
         let shift = if normalize {
             let largest = start[0].unsigned_abs().max(start[1].unsigned_abs());
             let second_bit = register.digits().saturating_sub(2);
-            second_bit
-                .saturating_sub(largest.ilog2())
-                .min(register.digits() - needed)
+            second_bit.saturating_sub(largest.ilog2()).min(register.digits() - needed)
         } else {
             0
         };
@@ -129,10 +124,7 @@ impl Arc {
     #[must_use]
     pub fn integrands(&self) -> [u64; 2] {
         let [x, y] = self.position;
-        [
-            y.unsigned_abs() << self.shift,
-            x.unsigned_abs() << self.shift,
-        ]
+        [y.unsigned_abs() << self.shift, x.unsigned_abs() << self.shift]
     }
 
     /// The remainder registers.

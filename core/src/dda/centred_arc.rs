@@ -49,16 +49,9 @@ impl CentredArc {
         }
         let needed = Self::bits(start, end, direction)?;
         if register.digits() < needed {
-            return Err(Error::RegisterTooNarrow {
-                digits: register.digits(),
-                needed,
-            });
+            return Err(Error::RegisterTooNarrow { digits: register.digits(), needed });
         }
-        let shift = if normalize {
-            register.digits() - needed
-        } else {
-            0
-        };
+        let shift = if normalize { register.digits() - needed } else { 0 };
         let position = start.map(i64::from);
         let half = (register.modulus() / 2) as i64;
         let scaled = position[1] << shift;
@@ -66,13 +59,7 @@ impl CentredArc {
             Direction::Ccw => scaled / 2,
             Direction::Cw => -scaled / 2,
         };
-        Ok(Self {
-            position,
-            jr: [(half + ahead) as u64, half as u64],
-            sweep,
-            shift,
-            register,
-        })
+        Ok(Self { position, jr: [(half + ahead) as u64, half as u64], sweep, shift, register })
     }
 
     /// The narrowest register that serves the arc, in bits: as a signed register it holds the
@@ -209,10 +196,7 @@ impl CentredArc {
         self.sweep.invariant()
             && self.jr.iter().all(|remainder| *remainder < modulus)
             && (self.sweep.stands(self.position) != [false; 2]
-                || self
-                    .position
-                    .iter()
-                    .all(|c| c.unsigned_abs() << self.shift <= modulus / 2))
+                || self.position.iter().all(|c| c.unsigned_abs() << self.shift <= modulus / 2))
     }
 }
 

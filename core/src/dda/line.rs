@@ -43,20 +43,13 @@ impl<const AXES: usize> Line<AXES> {
         let largest = end.iter().fold(0, |most, c| c.unsigned_abs().max(most));
         let needed = Register::holding(register.radix(), largest).digits();
         if register.digits() < needed {
-            return Err(Error::RegisterTooNarrow {
-                digits: register.digits(),
-                needed,
-            });
+            return Err(Error::RegisterTooNarrow { digits: register.digits(), needed });
         }
         if normalize && register.radix() != Radix::Binary {
             return Err(Error::NormalizationNeedsBinary);
         }
         // A line without length has nothing to shift.
-        let shift = if normalize && largest > 0 {
-            register.digits() - needed
-        } else {
-            0
-        };
+        let shift = if normalize && largest > 0 { register.digits() - needed } else { 0 };
         Ok(Self {
             jv: end.map(|c| u64::from(c.unsigned_abs()) << shift),
             jr: [preset.value(register); AXES],

@@ -33,11 +33,7 @@ impl Register {
         if digits < 1 || digits > widest {
             return Err(Error::RegisterWidth { digits, widest });
         }
-        Ok(Self {
-            radix,
-            digits,
-            modulus: base.pow(digits),
-        })
+        Ok(Self { radix, digits, modulus: base.pow(digits) })
     }
 
     /// The narrowest register that holds `largest`, up to the widest there is.
@@ -55,11 +51,7 @@ impl Register {
             Radix::Binary => 2,
             Radix::Decimal => 10,
         };
-        Self {
-            radix,
-            digits,
-            modulus: base.pow(digits),
-        }
+        Self { radix, digits, modulus: base.pow(digits) }
     }
 
     /// The radix.

@@ -43,14 +43,7 @@ impl Arc {
         let sweep = Sweep::new(start, end, direction)?;
         let position = start.map(i64::from);
         let left = sweep.pulses_to_go(position);
-        Ok(Self {
-            f: 0,
-            position,
-            sweep,
-            left,
-            larger: usize::from(left[0] < left[1]),
-            rule,
-        })
+        Ok(Self { f: 0, position, sweep, left, larger: usize::from(left[0] < left[1]), rule })
     }
 
     /// One step of four beats; `None` once the end rule is met.
@@ -80,25 +73,16 @@ impl Arc {
     pub fn judge(&self) -> Feed {
         let feeds = self.sweep.feeds();
         let stands = self.sweep.stands(self.position);
-        match (
-            stands[feeds.towards.axis.index()],
-            stands[feeds.away.axis.index()],
-        ) {
+        match (stands[feeds.towards.axis.index()], stands[feeds.away.axis.index()]) {
             (false, false) if self.f >= 0 => feeds.towards,
             (false, true) => feeds.towards,
             (_, false) => feeds.away,
             (true, true) => {
                 let Pulse([x, y]) = self.sweep.step_out(self.position);
                 if x != 0 {
-                    Feed {
-                        axis: crate::Axis::X,
-                        sign: x,
-                    }
+                    Feed { axis: crate::Axis::X, sign: x }
                 } else {
-                    Feed {
-                        axis: crate::Axis::Y,
-                        sign: y,
-                    }
+                    Feed { axis: crate::Axis::Y, sign: y }
                 }
             }
         }

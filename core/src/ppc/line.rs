@@ -66,11 +66,7 @@ impl Line {
     #[inline]
     #[must_use]
     pub const fn judge(&self) -> Axis {
-        if self.f >= 0 && self.left[0] > 0 || self.left[1] == 0 {
-            Axis::X
-        } else {
-            Axis::Y
-        }
+        if self.f >= 0 && self.left[0] > 0 || self.left[1] == 0 { Axis::X } else { Axis::Y }
     }
 
     /// The deviation function F at the present point.

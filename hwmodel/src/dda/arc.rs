@@ -66,11 +66,7 @@ impl Arc {
             }; 2],
             sweep: Sweep::new(start, end, direction, bits)?,
         };
-        Ok(Self {
-            registers,
-            bits,
-            shift,
-        })
+        Ok(Self { registers, bits, shift })
     }
 
     fn wires(&self) -> Wires {
@@ -95,12 +91,7 @@ impl Arc {
             }
             pulse
         };
-        Wires {
-            sum,
-            stands,
-            stepping_out,
-            pulse,
-        }
+        Wires { sum, stands, stepping_out, pulse }
     }
 
     fn next(&self, wires: &Wires) -> Registers {

@@ -63,11 +63,7 @@ impl CentredArc {
             jr: [half.wrapping_add_signed(half_step) & mask(bits), half],
             sweep: Sweep::new(start, end, direction, bits)?,
         };
-        Ok(Self {
-            registers,
-            bits,
-            shift,
-        })
+        Ok(Self { registers, bits, shift })
     }
 
     fn wires(&self) -> Wires {
@@ -75,36 +71,19 @@ impl CentredArc {
         let stands = q.sweep.stands();
         let is_zero = q.j.map(|c| c == 0);
         if q.sweep.done() {
-            return Wires {
-                remainder: q.jr,
-                pulse: Pulse::NONE,
-            };
+            return Wires { remainder: q.jr, pulse: Pulse::NONE };
         }
         if Sweep::is_stepping_out(stands, is_zero) {
-            return Wires {
-                remainder: q.jr,
-                pulse: q.sweep.step_out(),
-            };
+            return Wires { remainder: q.jr, pulse: q.sweep.step_out() };
         }
         let turn = match q.sweep.direction() {
             Direction::Ccw => 1,
             Direction::Cw => -1,
         };
-        let (jrx, px) = if stands[0] {
-            (q.jr[0], 0)
-        } else {
-            self.add(q.jr[0], -turn * q.j[1])
-        };
+        let (jrx, px) = if stands[0] { (q.jr[0], 0) } else { self.add(q.jr[0], -turn * q.j[1]) };
         let x_updated = self.moved(q.j[0], px);
-        let (jry, py) = if stands[1] {
-            (q.jr[1], 0)
-        } else {
-            self.add(q.jr[1], turn * x_updated)
-        };
-        Wires {
-            remainder: [jrx, jry],
-            pulse: Pulse([px, py]),
-        }
+        let (jry, py) = if stands[1] { (q.jr[1], 0) } else { self.add(q.jr[1], turn * x_updated) };
+        Wires { remainder: [jrx, jry], pulse: Pulse([px, py]) }
     }
 
     /// An n-bit adder: its sum, and +1 for a carry out of it, −1 for a borrow.
@@ -123,11 +102,7 @@ impl CentredArc {
         let q = &self.registers;
         let Pulse([px, py]) = wires.pulse;
         let j = [self.moved(q.j[0], px), self.moved(q.j[1], py)];
-        Registers {
-            j,
-            jr: wires.remainder,
-            sweep: q.sweep.next(wires.pulse, j.map(|c| c == 0)),
-        }
+        Registers { j, jr: wires.remainder, sweep: q.sweep.next(wires.pulse, j.map(|c| c == 0)) }
     }
 }
 

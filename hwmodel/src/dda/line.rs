@@ -62,22 +62,14 @@ impl<const AXES: usize> Line<AXES> {
             }; AXES],
             je: 1 << (bits - shift),
         };
-        Ok(Self {
-            registers,
-            negative: end.map(|c| c < 0),
-            bits,
-        })
+        Ok(Self { registers, negative: end.map(|c| c < 0), bits })
     }
 
     fn wires(&self) -> Wires<AXES> {
         let q = &self.registers;
         let done = q.je == 0;
         let sum = core::array::from_fn(|axis| q.jr[axis] + q.jv[axis]);
-        Wires {
-            sum,
-            carry: sum.map(|sum| !done && sum >> self.bits == 1),
-            done,
-        }
+        Wires { sum, carry: sum.map(|sum| !done && sum >> self.bits == 1), done }
     }
 
     fn next(&self, wires: &Wires<AXES>) -> Registers<AXES> {
@@ -98,12 +90,10 @@ impl<const AXES: usize> Circuit<AXES> for Line<AXES> {
 
     fn pulses(&self) -> Pulse<AXES> {
         let carry = self.wires().carry;
-        Pulse(core::array::from_fn(|axis| {
-            match (carry[axis], self.negative[axis]) {
-                (false, _) => 0,
-                (true, false) => 1,
-                (true, true) => -1,
-            }
+        Pulse(core::array::from_fn(|axis| match (carry[axis], self.negative[axis]) {
+            (false, _) => 0,
+            (true, false) => 1,
+            (true, true) => -1,
         }))
     }
 

@@ -51,10 +51,7 @@ impl Arc {
         Register::new(Radix::Binary, bits)?;
         let needed = Self::bits(start, end, direction)?;
         if bits < needed {
-            return Err(Error::RegisterTooNarrow {
-                digits: bits,
-                needed,
-            });
+            return Err(Error::RegisterTooNarrow { digits: bits, needed });
         }
         let software = software::ppc::Arc::new(start, end, direction, rule)?;
         let registers = Registers {
@@ -89,15 +86,9 @@ impl Arc {
             (true, true) => {
                 let Pulse([x, y]) = q.sweep.step_out();
                 if x != 0 {
-                    Feed {
-                        axis: Axis::X,
-                        sign: x,
-                    }
+                    Feed { axis: Axis::X, sign: x }
                 } else {
-                    Feed {
-                        axis: Axis::Y,
-                        sign: y,
-                    }
+                    Feed { axis: Axis::Y, sign: y }
                 }
             }
         }
@@ -107,11 +98,7 @@ impl Arc {
     fn is_outwards(&self) -> bool {
         let Registers { sweep, due, .. } = &self.registers;
         let Feeds { towards, away } = sweep.feeds();
-        if due.axis == away.axis {
-            due.sign == away.sign
-        } else {
-            due.sign != towards.sign
-        }
+        if due.axis == away.axis { due.sign == away.sign } else { due.sign != towards.sign }
     }
 
     fn next(&self) -> Registers {
@@ -147,11 +134,7 @@ impl Circuit for Arc {
 
     fn pulses(&self) -> Pulse {
         match self.registers {
-            Registers {
-                beat: Beat::Feed,
-                due,
-                ..
-            } => Pulse::on(due.axis, due.sign),
+            Registers { beat: Beat::Feed, due, .. } => Pulse::on(due.axis, due.sign),
             _ => Pulse::NONE,
         }
     }

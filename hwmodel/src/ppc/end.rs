@@ -16,11 +16,7 @@ pub(super) struct EndCounter {
 impl EndCounter {
     /// The counter, loaded for a curve of so many pulses an axis.
     pub(super) const fn new(rule: EndRule, pulses: [u64; 2]) -> Self {
-        let larger = if pulses[0] >= pulses[1] {
-            Axis::X
-        } else {
-            Axis::Y
-        };
+        let larger = if pulses[0] >= pulses[1] { Axis::X } else { Axis::Y };
         let e = match rule {
             EndRule::Total => pulses[0] + pulses[1],
             EndRule::Larger => pulses[larger.index()],
@@ -44,9 +40,6 @@ impl EndCounter {
             EndRule::Larger => axis == self.larger,
             EndRule::PerAxis => false,
         };
-        Self {
-            e: self.e - u64::from(counts),
-            ..*self
-        }
+        Self { e: self.e - u64::from(counts), ..*self }
     }
 }

@@ -46,10 +46,7 @@ impl Line {
         let magnitude = end.map(i32::unsigned_abs);
         let needed = Register::holding(Radix::Binary, magnitude[0].max(magnitude[1])).digits();
         if bits < needed {
-            return Err(Error::RegisterTooNarrow {
-                digits: bits,
-                needed,
-            });
+            return Err(Error::RegisterTooNarrow { digits: bits, needed });
         }
         let registers = Registers {
             beat: Beat::Judge,
@@ -58,12 +55,7 @@ impl Line {
             je: magnitude,
             end: EndCounter::new(rule, magnitude.map(u64::from)),
         };
-        Ok(Self {
-            registers,
-            end: magnitude,
-            negative: end.map(|c| c < 0),
-            bits,
-        })
+        Ok(Self { registers, end: magnitude, negative: end.map(|c| c < 0), bits })
     }
 
     fn next(&self) -> Registers {
@@ -101,11 +93,9 @@ impl Circuit for Line {
 
     fn pulses(&self) -> Pulse {
         match self.registers {
-            Registers {
-                beat: Beat::Feed,
-                due,
-                ..
-            } => Pulse::on(due, if self.negative[due.index()] { -1 } else { 1 }),
+            Registers { beat: Beat::Feed, due, .. } => {
+                Pulse::on(due, if self.negative[due.index()] { -1 } else { 1 })
+            }
             _ => Pulse::NONE,
         }
     }

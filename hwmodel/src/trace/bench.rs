@@ -33,9 +33,7 @@ impl Bench {
         let clk = list.add("clk", Kind::Bit);
         let mut each = |stem: &str, kind| -> Vec<usize> {
             let letters = AXIS_LETTERS.iter().take(position.len());
-            letters
-                .map(|letter| list.add(&format!("{stem}_{letter}"), kind))
-                .collect()
+            letters.map(|letter| list.add(&format!("{stem}_{letter}"), kind)).collect()
         };
         let pulse = each("pulse", Kind::Bit);
         let negative = each("negative", Kind::Bit);
@@ -48,10 +46,7 @@ impl Bench {
             counted,
             is_negative: false,
         });
-        Self {
-            clk,
-            axes: axes.collect(),
-        }
+        Self { clk, axes: axes.collect() }
     }
 
     /// Traces one clock period of a circuit, whose first signal is number `first`, and lets the

@@ -73,11 +73,7 @@ impl<W: Write + Seek> Fst<W> {
         let mut body = header.finish()?;
         // The tracer hands on changes only.
         body.set_deduplicate(false);
-        Ok(Self {
-            body: Some(body),
-            signals,
-            digits: Vec::new(),
-        })
+        Ok(Self { body: Some(body), signals, digits: Vec::new() })
     }
 }
 

@@ -25,11 +25,7 @@ pub fn gtkw(wave_file: &str, list: &SignalList) -> String {
     for signal in list.signals() {
         if scope != Some(signal.scope) {
             scope = Some(signal.scope);
-            let heading = if signal.scope.is_empty() {
-                SignalList::TOP
-            } else {
-                signal.scope
-            };
+            let heading = if signal.scope.is_empty() { SignalList::TOP } else { signal.scope };
             let _ = writeln!(text, "@{:x}\n-{heading}", flag::BLANK);
             shown = flag::BLANK;
         }
@@ -48,13 +44,7 @@ pub fn gtkw(wave_file: &str, list: &SignalList) -> String {
             shown = flags;
         }
         let dot = if signal.scope.is_empty() { "" } else { "." };
-        let _ = writeln!(
-            text,
-            "{}.{}{dot}{}{range}",
-            SignalList::TOP,
-            signal.scope,
-            signal.name
-        );
+        let _ = writeln!(text, "{}.{}{dot}{}{range}", SignalList::TOP, signal.scope, signal.name);
     }
     text
 }

@@ -62,21 +62,14 @@ impl SignalList {
 
     /// Adds a signal to the top scope; its number.
     pub fn add(&mut self, name: &str, kind: Kind) -> usize {
-        self.signals.push(Signal {
-            scope: "",
-            name: name.to_owned(),
-            kind,
-        });
+        self.signals.push(Signal { scope: "", name: name.to_owned(), kind });
         self.signals.len() - 1
     }
 
     /// Adds the signals of a circuit, in a scope of its name; the number of the first one.
     pub fn add_circuit<C: Circuit<AXES>, const AXES: usize>(&mut self, circuit: &C) -> usize {
         let first = self.signals.len();
-        circuit.probe(&mut Declaration {
-            scope: C::NAME,
-            signals: &mut self.signals,
-        });
+        circuit.probe(&mut Declaration { scope: C::NAME, signals: &mut self.signals });
         first
     }
 
@@ -90,11 +83,7 @@ impl SignalList {
                 return refuse(format!("two signals are named {scope}.{name}"));
             }
             let is_blank = |text: &str| text.is_empty() || text.contains(char::is_whitespace);
-            let words: &[&str] = if let Kind::Word(words) = kind {
-                words
-            } else {
-                &[]
-            };
+            let words: &[&str] = if let Kind::Word(words) = kind { words } else { &[] };
             if is_blank(name) || words.iter().any(|word| is_blank(word)) {
                 return refuse(format!("a name or a word of {scope}.{name} is blank"));
             }
@@ -125,18 +114,10 @@ struct Declaration<'a> {
 impl Probe for Declaration<'_> {
     fn axis_signal(&mut self, stem: &'static str, axis: usize, kind: Kind, _: u64) {
         let letter = AXIS_LETTERS[axis];
-        self.signals.push(Signal {
-            scope: self.scope,
-            name: format!("{stem}{letter}"),
-            kind,
-        });
+        self.signals.push(Signal { scope: self.scope, name: format!("{stem}{letter}"), kind });
     }
 
     fn signal(&mut self, name: &'static str, kind: Kind, _: u64) {
-        self.signals.push(Signal {
-            scope: self.scope,
-            name: name.to_owned(),
-            kind,
-        });
+        self.signals.push(Signal { scope: self.scope, name: name.to_owned(), kind });
     }
 }

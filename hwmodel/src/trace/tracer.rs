@@ -20,14 +20,7 @@ impl<W: Wave> Tracer<W> {
     /// A tracer for the signals of the list that the wave was opened with.
     pub fn new(wave: W, signals: &SignalList) -> Self {
         let last = vec![None; signals.signals().len()];
-        Self {
-            wave,
-            last,
-            now: 0,
-            is_stamped: false,
-            cursor: 0,
-            failed: None,
-        }
+        Self { wave, last, now: 0, is_stamped: false, cursor: 0, failed: None }
     }
 
     /// All following values are those at `time`.
@@ -42,11 +35,7 @@ impl<W: Wave> Tracer<W> {
             return;
         }
         self.last[signal] = Some(value);
-        let stamp = if self.is_stamped {
-            Ok(())
-        } else {
-            self.wave.time(self.now)
-        };
+        let stamp = if self.is_stamped { Ok(()) } else { self.wave.time(self.now) };
         self.is_stamped = true;
         self.failed = stamp.and_then(|()| self.wave.change(signal, value)).err();
     }

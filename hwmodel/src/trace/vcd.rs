@@ -47,28 +47,19 @@ impl<W: Write> Vcd<W> {
             let (var_type, range) = match signal.kind {
                 Kind::Bit => (vcd::VarType::Wire, None),
                 Kind::Word(_) => (vcd::VarType::String, None),
-                Kind::Unsigned(_) | Kind::Signed(_) => (
-                    vcd::VarType::Reg,
-                    Some(vcd::ReferenceIndex::Range(bits as i32 - 1, 0)),
-                ),
+                Kind::Unsigned(_) | Kind::Signed(_) => {
+                    (vcd::VarType::Reg, Some(vcd::ReferenceIndex::Range(bits as i32 - 1, 0)))
+                }
             };
             let id = header.add_var(var_type, bits, &signal.name, range)?;
-            signals.push(Encoded {
-                kind: signal.kind,
-                id: id.to_string(),
-            });
+            signals.push(Encoded { kind: signal.kind, id: id.to_string() });
         }
         if !scope.is_empty() {
             header.upscope()?;
         }
         header.upscope()?;
         header.enddefinitions()?;
-        Ok(Self {
-            out,
-            signals,
-            time: None,
-            line: Vec::new(),
-        })
+        Ok(Self { out, signals, time: None, line: Vec::new() })
     }
 
     /// The output.
@@ -95,9 +86,7 @@ impl<W: Write> Wave for Vcd<W> {
             Kind::Unsigned(bits) | Kind::Signed(bits) => {
                 line.push(b'b');
                 // Leading zeros may be left out.
-                let bits = bits
-                    .min(64 - (value & low_bits(bits)).leading_zeros())
-                    .max(1);
+                let bits = bits.min(64 - (value & low_bits(bits)).leading_zeros()).max(1);
                 line.extend((0..bits).rev().map(|bit| b'0' + (value >> bit & 1) as u8));
                 line.push(b' ');
             }

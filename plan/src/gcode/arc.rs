@@ -11,17 +11,9 @@ use std::ops::Range;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ProgrammedArc {
     /// About a point seen from the start and the end, exactly.
-    Centre {
-        start: [Length; 2],
-        end: [Length; 2],
-        centre: [Length; 2],
-    },
+    Centre { start: [Length; 2], end: [Length; 2], centre: [Length; 2] },
     /// With a radius: negative for the way of more than half a turn.
-    Radius {
-        chord: [Length; 2],
-        radius: Length,
-        span: (usize, usize),
-    },
+    Radius { chord: [Length; 2], radius: Length, span: (usize, usize) },
 }
 
 /// A curve and its two ends, in pulses.
@@ -33,9 +25,7 @@ const RADIUS_TOLERANCE: Length = Length::from_picometres(5_000_000);
 
 /// The tolerance on a machine: what writing three decimals costs, or two pulses if that is more.
 fn tolerance(pulse: Length) -> Length {
-    RADIUS_TOLERANCE.max(Length::from_picometres(
-        pulse.picometres().saturating_mul(2),
-    ))
+    RADIUS_TOLERANCE.max(Length::from_picometres(pulse.picometres().saturating_mul(2)))
 }
 
 /// The arc about the point `offset` away from the start.
@@ -79,15 +69,9 @@ pub(super) fn by_radius(
     span: &Range<usize>,
 ) -> Result<ProgrammedArc, Fault> {
     let far = || too_far(span);
-    let chord = [
-        to[0].checked_sub(from[0]).ok_or_else(far)?,
-        to[1].checked_sub(from[1]).ok_or_else(far)?,
-    ];
-    Ok(ProgrammedArc::Radius {
-        chord,
-        radius,
-        span: (span.start, span.end),
-    })
+    let chord =
+        [to[0].checked_sub(from[0]).ok_or_else(far)?, to[1].checked_sub(from[1]).ok_or_else(far)?];
+    Ok(ProgrammedArc::Radius { chord, radius, span: (span.start, span.end) })
 }
 
 impl ProgrammedArc {
@@ -110,11 +94,7 @@ impl ProgrammedArc {
                 let centre = centre.map(|c| c.in_pulses(pulse));
                 (centre, is_long_way(exact(start), exact(end), direction))
             }
-            Self::Radius {
-                chord,
-                radius,
-                span,
-            } => {
+            Self::Radius { chord, radius, span } => {
                 let is_left = (direction == Direction::Ccw) == (radius >= Length::ZERO);
                 let offset = centre::centre(chord, radius, is_left, pulse, tolerance(pulse))
                     .map_err(|why| no_centre(why, span.0..span.1))?;
@@ -136,11 +116,7 @@ impl ProgrammedArc {
             return Ok([(ends, Curve::Line), nothing]);
         }
         Sweep::new(start, end, direction).map_err(|why| {
-            Fault::new(
-                span.clone(),
-                why.to_string(),
-                "take a coarser pulse equivalent",
-            )
+            Fault::new(span.clone(), why.to_string(), "take a coarser pulse equivalent")
         })?;
         let arc = Curve::Arc { centre, direction };
         let runs_long = is_long_way(start.map(i128::from), end.map(i128::from), direction);

@@ -57,12 +57,7 @@ impl Block {
                             MotionMode::Arc(Direction::Cw),
                             MotionMode::Arc(Direction::Ccw),
                         ][code as usize];
-                        set(
-                            &mut block.motion,
-                            (mode, span.clone()),
-                            &span,
-                            "motion mode",
-                        )?;
+                        set(&mut block.motion, (mode, span.clone()), &span, "motion mode")?;
                     }
                     Some(17) if !has_plane => has_plane = true,
                     Some(17) => return Err(twice(span, "plane")),
@@ -70,12 +65,7 @@ impl Block {
                         set(&mut block.is_metric, code == 21, &span, "unit (G20, G21)")?;
                     }
                     Some(code @ (90 | 91)) => {
-                        set(
-                            &mut block.is_absolute,
-                            code == 90,
-                            &span,
-                            "distance mode (G90, G91)",
-                        )?;
+                        set(&mut block.is_absolute, code == 90, &span, "distance mode (G90, G91)")?;
                     }
                     _ => return Err(unsupported(line, &word)),
                 },
@@ -109,18 +99,8 @@ fn set<T>(slot: &mut Option<T>, value: T, span: &Range<usize>, what: &str) -> Re
     }
 }
 
-fn set_value(
-    slot: &mut Option<Value>,
-    Word {
-        letter,
-        number,
-        span,
-    }: Word,
-) -> Result<(), Fault> {
-    let value = Value {
-        number,
-        span: span.clone(),
-    };
+fn set_value(slot: &mut Option<Value>, Word { letter, number, span }: Word) -> Result<(), Fault> {
+    let value = Value { number, span: span.clone() };
     set(slot, value, &span, &letter.to_string())
 }
 
@@ -152,9 +132,7 @@ fn check_line_number(place: usize, word: &Word) -> Result<(), Fault> {
 }
 
 fn unsupported(line: &str, word: &Word) -> Fault {
-    let text = line[word.span.clone()]
-        .replace(char::is_whitespace, "")
-        .to_uppercase();
+    let text = line[word.span.clone()].replace(char::is_whitespace, "").to_uppercase();
     let help = match (word.letter, word.number.as_integer()) {
         ('G', Some(18 | 19)) => {
             "only the XY plane (G17) is interpolated: turn the part, or remove the block"

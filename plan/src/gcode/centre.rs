@@ -57,26 +57,15 @@ pub(super) fn centre(
     };
     let left_x_adds = dy < zero;
     let left_y_adds = dx >= zero;
-    Ok([
-        coordinate(&dx, &dy, left_x_adds == is_left),
-        coordinate(&dy, &dx, left_y_adds == is_left),
-    ])
+    Ok([coordinate(&dx, &dy, left_x_adds == is_left), coordinate(&dy, &dx, left_y_adds == is_left)])
 }
 
 /// The quotient rounded down, within `i64` (a centre further away serves no `i32` circle).
 fn div_floor(numerator: &BigInt, denominator: &BigInt) -> i64 {
     let quotient = numerator / denominator;
     let rest = numerator % denominator;
-    let floor = if rest < BigInt::ZERO {
-        quotient - 1
-    } else {
-        quotient
-    };
-    i64::try_from(&floor).unwrap_or(if floor < BigInt::ZERO {
-        i64::MIN
-    } else {
-        i64::MAX
-    })
+    let floor = if rest < BigInt::ZERO { quotient - 1 } else { quotient };
+    i64::try_from(&floor).unwrap_or(if floor < BigInt::ZERO { i64::MIN } else { i64::MAX })
 }
 
 #[cfg(test)]
@@ -92,13 +81,7 @@ mod tests {
 
     fn centre_of(dx: i64, dy: i64, radius: i64, is_left: bool) -> Result<[i64; 2], NoCentre> {
         let tolerance = Length::from_picometres(2000);
-        centre(
-            pulses(dx, dy),
-            Length::from_picometres(radius * 1000),
-            is_left,
-            PULSE,
-            tolerance,
-        )
+        centre(pulses(dx, dy), Length::from_picometres(radius * 1000), is_left, PULSE, tolerance)
     }
 
     #[test]

@@ -63,19 +63,10 @@ impl Modes {
             self.coordinate(block.x.as_ref(), from[0])?,
             self.coordinate(block.y.as_ref(), from[1])?,
         ];
-        let ends = [
-            self.pulses(from, &block.span)?,
-            self.pulses(to, &block.span)?,
-        ];
+        let ends = [self.pulses(from, &block.span)?, self.pulses(to, &block.span)?];
         let mut push = |[from, to]: [[i32; 2]; 2], curve| {
             if curve != Curve::Line || from != to {
-                motions.push_back(Motion {
-                    line,
-                    from,
-                    to,
-                    curve,
-                    rate,
-                });
+                motions.push_back(Motion { line, from, to, curve, rate });
             }
         };
         match (self.motion, block.arc_word()) {
@@ -130,10 +121,7 @@ impl Modes {
         to: [Length; 2],
     ) -> Result<ProgrammedArc, Fault> {
         let Some(r) = &block.r else {
-            let offset = [
-                self.offset(block.i.as_ref())?,
-                self.offset(block.j.as_ref())?,
-            ];
+            let offset = [self.offset(block.i.as_ref())?, self.offset(block.j.as_ref())?];
             return arc::by_centre(from, to, offset, self.machine.pulse, &block.span);
         };
         match block.i.as_ref().or(block.j.as_ref()) {
@@ -162,9 +150,9 @@ impl Modes {
         match value {
             None => Ok(from),
             Some(value) if self.is_absolute => self.length(value),
-            Some(value) => from
-                .checked_add(self.length(value)?)
-                .ok_or_else(|| too_far(&value.span)),
+            Some(value) => {
+                from.checked_add(self.length(value)?).ok_or_else(|| too_far(&value.span))
+            }
         }
     }
 
@@ -177,21 +165,13 @@ impl Modes {
         if value.number.has_point || self.machine.integers == Integers::Units {
             return self.in_units(value);
         }
-        let Number {
-            digits, decimals, ..
-        } = value.number;
+        let Number { digits, decimals, .. } = value.number;
         Length::of(digits, decimals, self.machine.pulse).map_err(|why| bad_length(why, value))
     }
 
     fn in_units(&self, value: &Value) -> Result<Length, Fault> {
-        let Number {
-            digits, decimals, ..
-        } = value.number;
-        let unit = if self.is_metric {
-            Length::MILLIMETRE
-        } else {
-            Length::INCH
-        };
+        let Number { digits, decimals, .. } = value.number;
+        let unit = if self.is_metric { Length::MILLIMETRE } else { Length::INCH };
         Length::of(digits, decimals, unit).map_err(|why| bad_length(why, value))
     }
 
@@ -199,10 +179,7 @@ impl Modes {
     /// are an `i32` apart.
     fn pulses(&self, point: [Length; 2], span: &Range<usize>) -> Result<[i32; 2], Fault> {
         let pulses = point.map(|length| length.in_pulses(self.machine.pulse));
-        if pulses
-            .iter()
-            .any(|count| count.abs() > i64::from(i32::MAX / 2))
-        {
+        if pulses.iter().any(|count| count.abs() > i64::from(i32::MAX / 2)) {
             return Err(too_far(span));
         }
         Ok(pulses.map(|count| count as i32))
@@ -218,9 +195,5 @@ pub(super) fn too_far(span: &Range<usize>) -> Fault {
 }
 
 fn bad_length(why: LengthError, value: &Value) -> Fault {
-    Fault::new(
-        value.span.clone(),
-        format!("this length is {why}"),
-        "write it shorter",
-    )
+    Fault::new(value.span.clone(), format!("this length is {why}"), "write it shorter")
 }

@@ -38,14 +38,7 @@ impl<R: BufRead> Program<R> {
     /// The program in `input`, for a machine. It starts in (0,0) with G17, G21 and G90.
     pub fn new(input: R, machine: &Machine) -> Self {
         let modes = Modes::new(*machine);
-        Self {
-            input,
-            line: 0,
-            text: String::new(),
-            modes,
-            ready: VecDeque::new(),
-            is_over: false,
-        }
+        Self { input, line: 0, text: String::new(), modes, ready: VecDeque::new(), is_over: false }
     }
 
     /// The text of the line that was read last: the one that the last motion stands in.
@@ -65,16 +58,13 @@ impl<R: BufRead> Program<R> {
             }
             let mut bytes = Vec::new();
             let mut limited = (&mut self.input).take(LONGEST_LINE + 1);
-            limited
-                .read_until(b'\n', &mut bytes)
-                .map_err(ProgramError::Input)?;
+            limited.read_until(b'\n', &mut bytes).map_err(ProgramError::Input)?;
             if bytes.is_empty() {
                 return Ok(None);
             }
             self.line += 1;
             self.text.clear();
-            self.text
-                .push_str(String::from_utf8_lossy(&bytes).trim_end_matches(['\n', '\r']));
+            self.text.push_str(String::from_utf8_lossy(&bytes).trim_end_matches(['\n', '\r']));
             let run = if bytes.len() as u64 > LONGEST_LINE && !bytes.ends_with(b"\n") {
                 Err(Fault::new(
                     0..0,
@@ -84,22 +74,10 @@ impl<R: BufRead> Program<R> {
             } else {
                 self.run()
             };
-            run.map_err(
-                |Fault {
-                     span,
-                     message,
-                     help,
-                 }| {
-                    let (line, source) = (self.line, self.text.clone());
-                    ProgramError::Program(Box::new(Diagnostic {
-                        line,
-                        source,
-                        span,
-                        message,
-                        help,
-                    }))
-                },
-            )?;
+            run.map_err(|Fault { span, message, help }| {
+                let (line, source) = (self.line, self.text.clone());
+                ProgramError::Program(Box::new(Diagnostic { line, source, span, message, help }))
+            })?;
         }
     }
 

@@ -43,11 +43,7 @@ impl Fault {
         message: impl Into<String>,
         help: impl Into<String>,
     ) -> Self {
-        Self {
-            span,
-            message: message.into(),
-            help: help.into(),
-        }
+        Self { span, message: message.into(), help: help.into() }
     }
 }
 
@@ -68,11 +64,7 @@ pub(super) fn words(line: &str) -> Result<Vec<Word>, Fault> {
                 rest.at += 1;
                 let number = rest.number(start)?;
                 let letter = letter.to_ascii_uppercase();
-                words.push(Word {
-                    letter,
-                    number,
-                    span: start..rest.at,
-                });
+                words.push(Word { letter, number, span: start..rest.at });
             }
             Some(other) => {
                 return Err(Fault::new(
@@ -171,11 +163,7 @@ impl Cursor<'_> {
             decimals -= 1;
         }
         let digits = if is_negative { -digits } else { digits };
-        Ok(Number {
-            digits,
-            decimals,
-            has_point,
-        })
+        Ok(Number { digits, decimals, has_point })
     }
 }
 
@@ -188,14 +176,7 @@ mod tests {
     use super::*;
 
     fn texts(line: &str) -> Vec<(char, i64, u32, bool)> {
-        let tuple = |w: Word| {
-            (
-                w.letter,
-                w.number.digits,
-                w.number.decimals,
-                w.number.has_point,
-            )
-        };
+        let tuple = |w: Word| (w.letter, w.number.digits, w.number.decimals, w.number.has_point);
         words(line).unwrap().into_iter().map(tuple).collect()
     }
 
