@@ -16,6 +16,7 @@ pub mod gcode;
 mod length;
 mod machine;
 mod motion;
+pub mod sampling;
 
 pub use diagnostic::Diagnostic;
 pub use length::{Length, LengthError};
