@@ -1,5 +1,7 @@
 //! How point-by-point comparison knows that it has arrived.
 
+use crate::Axis;
+
 /// The end-point strategy (终点判别) of point-by-point comparison.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum EndRule {
@@ -17,18 +19,19 @@ pub enum EndRule {
 impl EndRule {
     /// Whether the rule's counters stand at zero when `left` pulses of each axis are to come, of
     /// `larger` which had more of them at the start.
-    pub(crate) const fn is_met(self, left: [u64; 2], larger: usize) -> bool {
+    #[inline]
+    pub(crate) const fn is_met(self, left: [u64; 2], larger: Axis) -> bool {
         match self {
             Self::Total | Self::PerAxis => left[0] == 0 && left[1] == 0,
-            Self::Larger => left[larger] == 0,
+            Self::Larger => larger.of(left) == 0,
         }
     }
 
     /// What the rule's counters still hold: pulses until the end.
-    pub(crate) const fn remaining(self, left: [u64; 2], larger: usize) -> u64 {
+    pub(crate) const fn remaining(self, left: [u64; 2], larger: Axis) -> u64 {
         match self {
             Self::Total | Self::PerAxis => left[0] + left[1],
-            Self::Larger => left[larger],
+            Self::Larger => larger.of(left),
         }
     }
 }

@@ -19,6 +19,19 @@ impl Axis {
         }
     }
 
+    /// The axis' part of a pair.
+    ///
+    /// (A choice, not an index: machines whose arrays are never indexed by a variable can live in
+    /// processor registers.)
+    #[inline]
+    #[must_use]
+    pub const fn of<T: Copy>(self, pair: [T; 2]) -> T {
+        match self {
+            Self::X => pair[0],
+            Self::Y => pair[1],
+        }
+    }
+
     /// The plane's other axis.
     #[must_use]
     pub const fn other(self) -> Self {

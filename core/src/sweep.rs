@@ -1,6 +1,6 @@
 //! The sweep of an arc: quadrant after quadrant until the one it ends in.
 
-use crate::{Direction, Error, Feeds, Pulse, Quadrant};
+use crate::{Axis, Direction, Error, Feed, Feeds, Pulse, Quadrant};
 
 /// Where an arc is on its way round: automatic quadrant crossing (自动过象限) and the end test.
 ///
@@ -105,13 +105,15 @@ impl Sweep {
         if self.crossings_left > 0 {
             return [false; 2];
         }
-        let mut stands = [false; 2];
-        for feed in [self.feeds.towards, self.feeds.away] {
-            let axis = feed.axis.index();
-            let to_go = self.end[axis] - position[axis];
-            stands[axis] = if feed.sign > 0 { to_go <= 0 } else { to_go >= 0 };
+        let Feeds { towards, away } = self.feeds;
+        let stands = |feed: Feed| {
+            let to_go = feed.axis.of(self.end) - feed.axis.of(position);
+            if feed.sign > 0 { to_go <= 0 } else { to_go >= 0 }
+        };
+        match towards.axis {
+            Axis::X => [stands(towards), stands(away)],
+            Axis::Y => [stands(away), stands(towards)],
         }
-        stands
     }
 
     /// Moves on to the next quadrant when `position` has reached the axis that leads into it.
@@ -120,8 +122,8 @@ impl Sweep {
     /// left is kept there.
     #[inline]
     pub fn arrive(&mut self, position: [i64; 2]) {
-        if position[self.feeds.towards.axis.index()] == 0
-            && position[self.feeds.away.axis.index()] != 0
+        if self.feeds.towards.axis.of(position) == 0
+            && self.feeds.away.axis.of(position) != 0
             && self.crossings_left > 0
         {
             self.quadrant = self.quadrant.next(self.direction);

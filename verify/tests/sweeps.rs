@@ -258,12 +258,12 @@ fn a_circle_larger_than_the_headroom_bit_leaves_the_pulse() {
 fn normalizing_a_centred_arc_changes_its_speed_alone() {
     // JV·2^Q in n bits overflows exactly when JV does in n − Q bits.
     for (square, circle) in circles(15) {
-        let narrow =
-            2 + square.isqrt().max(1).ilog2() + u32::from(!is_square(square) && is_full(square));
+        // R ≤ 2^(n−1) − 1, by counting up.
+        let narrow = (2..).find(|n| square <= ((1_i64 << (n - 1)) - 1).pow(2));
         for &start in &circle {
             for direction in DIRECTIONS {
                 let needed = dda::CentredArc::bits(start, start, direction).unwrap();
-                assert_eq!(needed, narrow, "{start:?}");
+                assert_eq!(Some(needed), narrow, "{start:?}");
                 let plain =
                     dda::CentredArc::new(start, start, direction, binary(needed), false).unwrap();
                 let wide = binary(needed + 5);
@@ -277,15 +277,6 @@ fn normalizing_a_centred_arc_changes_its_speed_alone() {
             }
         }
     }
-}
-
-/// Whether rounding √`square` up gives one digit more: R is within 1 below a power of two.
-fn is_full(square: i64) -> bool {
-    (square.isqrt() + 1).count_ones() == 1
-}
-
-fn is_square(value: i64) -> bool {
-    value.isqrt().pow(2) == value
 }
 
 #[test]

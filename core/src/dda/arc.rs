@@ -196,6 +196,7 @@ impl Arc {
 impl Iterator for Arc {
     type Item = Pulse;
 
+    #[inline]
     fn next(&mut self) -> Option<Pulse> {
         self.step()
     }

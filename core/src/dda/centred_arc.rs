@@ -203,6 +203,7 @@ impl CentredArc {
 impl Iterator for CentredArc {
     type Item = Pulse;
 
+    #[inline]
     fn next(&mut self) -> Option<Pulse> {
         self.step()
     }

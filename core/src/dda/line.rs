@@ -151,6 +151,7 @@ impl<const AXES: usize> Line<AXES> {
 impl<const AXES: usize> Iterator for Line<AXES> {
     type Item = Pulse<AXES>;
 
+    #[inline]
     fn next(&mut self) -> Option<Pulse<AXES>> {
         self.step()
     }

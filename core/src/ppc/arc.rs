@@ -1,6 +1,6 @@
 //! Circular arc by point-by-point comparison.
 
-use crate::{Direction, EndRule, Error, Feed, Pulse, Sweep};
+use crate::{Axis, Direction, EndRule, Error, Feed, Feeds, Pulse, Sweep};
 
 /// An arc about the origin, any sweep up to a full turn.
 ///
@@ -21,13 +21,24 @@ use crate::{Direction, EndRule, Error, Feed, Pulse, Sweep};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Arc {
     f: i64,
-    position: [i64; 2],
-    sweep: Sweep,
-    /// Pulses still to come, an axis each.
+    /// The coordinate that is fed towards zero in this quadrant, and the one that is fed away
+    /// from it: magnitudes.
+    point: [i64; 2],
+    /// Where each of them stands; out of reach before the last quadrant.
+    stop: [i64; 2],
+    /// The pulse of each.
+    pulse: [Pulse; 2],
+    /// Pulses of each still to come.
     left: [u64; 2],
-    larger: usize,
+    /// The axis that had more of them at the start of the arc.
+    larger: Axis,
     rule: EndRule,
+    sweep: Sweep,
 }
+
+/// The places of the two motions in the arrays above.
+const TOWARDS: usize = 0;
+const AWAY: usize = 1;
 
 impl Arc {
     /// The arc from `start` to `end`; equal ends mean a full circle.
@@ -41,26 +52,98 @@ impl Arc {
         rule: EndRule,
     ) -> Result<Self, Error> {
         let sweep = Sweep::new(start, end, direction)?;
-        let position = start.map(i64::from);
-        let left = sweep.pulses_to_go(position);
-        Ok(Self { f: 0, position, sweep, left, larger: usize::from(left[0] < left[1]), rule })
+        let left = sweep.pulses_to_go(start.map(i64::from));
+        let Feeds { towards, away } = sweep.feeds();
+        let [towards, away] = [towards.axis.index(), away.axis.index()];
+        let mut arc = Self {
+            f: 0,
+            point: [towards, away].map(|axis| i64::from(start[axis]).abs()),
+            stop: [0; 2],
+            pulse: [Pulse::NONE; 2],
+            left: [left[towards], left[away]],
+            larger: if left[0] >= left[1] { Axis::X } else { Axis::Y },
+            rule,
+            sweep,
+        };
+        arc.enter_quadrant();
+        Ok(arc)
     }
 
     /// One step of four beats; `None` once the end rule is met.
+    ///
+    /// Both feeds are computed and one is chosen, as for the line.
     #[inline]
     pub fn step(&mut self) -> Option<Pulse> {
         if self.is_done() {
             return None;
         }
-        let Feed { axis, sign } = self.judge();
-        let fed = axis.index();
-        let coordinate = &mut self.position[fed];
-        self.f += 2 * i64::from(sign) * *coordinate + 1;
-        *coordinate += i64::from(sign);
-        self.left[fed] -= 1;
-        self.sweep.arrive(self.position);
+        let stands = self.stands();
+        if stands == [true, true] {
+            return Some(self.step_out());
+        }
+        let feeds_towards = self.f >= 0 && !stands[TOWARDS] || stands[AWAY];
+        let [towards, away] = self.point;
+        self.f += if feeds_towards { 1 - 2 * towards } else { 1 + 2 * away };
+        self.point = [towards - i64::from(feeds_towards), away + i64::from(!feeds_towards)];
+        self.left[TOWARDS] -= u64::from(feeds_towards);
+        self.left[AWAY] -= u64::from(!feeds_towards);
+        let pulse = if feeds_towards { self.pulse[TOWARDS] } else { self.pulse[AWAY] };
+        if self.point[TOWARDS] == 0 {
+            self.cross();
+        }
         debug_assert!(self.invariant());
-        Some(Pulse::on(axis, sign))
+        Some(pulse)
+    }
+
+    /// Whether each coordinate stands: it is at its end, or past it, in the last quadrant.
+    #[inline]
+    const fn stands(&self) -> [bool; 2] {
+        [self.point[TOWARDS] <= self.stop[TOWARDS], self.point[AWAY] >= self.stop[AWAY]]
+    }
+
+    /// Goes on into the next quadrant, if this was not the last: what was fed away from zero is
+    /// fed towards it now.
+    #[inline]
+    fn cross(&mut self) {
+        let crossings = self.sweep.crossings_left();
+        let position = Self::position(self);
+        self.sweep.arrive(position);
+        if self.sweep.crossings_left() < crossings {
+            self.point.swap(TOWARDS, AWAY);
+            self.left.swap(TOWARDS, AWAY);
+            self.enter_quadrant();
+        }
+    }
+
+    #[inline]
+    fn enter_quadrant(&mut self) {
+        let Feeds { towards, away } = self.sweep.feeds();
+        self.pulse = [towards, away].map(|feed| Pulse::on(feed.axis, feed.sign));
+        self.stop = if self.sweep.crossings_left() > 0 {
+            [i64::MIN, i64::MAX]
+        } else {
+            [towards, away].map(|feed| feed.axis.of(self.sweep.end()).abs())
+        };
+    }
+
+    /// One pulse straight to an end point off the circle, x first.
+    #[inline]
+    fn step_out(&mut self) -> Pulse {
+        let Feed { axis, sign } = self.judge();
+        let moves_away = self.sweep.feeds().away.axis == axis;
+        let (c, stop) = if moves_away {
+            (self.point[AWAY], self.stop[AWAY])
+        } else {
+            (self.point[TOWARDS], self.stop[TOWARDS])
+        };
+        let outwards = if c < stop { 1 } else { -1 };
+        self.f += 2 * outwards * c + 1;
+        self.point[AWAY] += if moves_away { outwards } else { 0 };
+        self.point[TOWARDS] += if moves_away { 0 } else { outwards };
+        self.left[AWAY] -= u64::from(moves_away);
+        self.left[TOWARDS] -= u64::from(!moves_away);
+        debug_assert!(self.invariant());
+        Pulse::on(axis, sign)
     }
 
     /// The motion that the next step makes.
@@ -72,17 +155,16 @@ impl Arc {
     #[must_use]
     pub fn judge(&self) -> Feed {
         let feeds = self.sweep.feeds();
-        let stands = self.sweep.stands(self.position);
-        match (stands[feeds.towards.axis.index()], stands[feeds.away.axis.index()]) {
-            (false, false) if self.f >= 0 => feeds.towards,
-            (false, true) => feeds.towards,
-            (_, false) => feeds.away,
-            (true, true) => {
-                let Pulse([x, y]) = self.sweep.step_out(self.position);
+        match self.stands() {
+            [false, false] if self.f >= 0 => feeds.towards,
+            [false, true] => feeds.towards,
+            [_, false] => feeds.away,
+            [true, true] => {
+                let Pulse([x, y]) = self.sweep.step_out(self.position());
                 if x != 0 {
-                    Feed { axis: crate::Axis::X, sign: x }
+                    Feed { axis: Axis::X, sign: x }
                 } else {
-                    Feed { axis: crate::Axis::Y, sign: y }
+                    Feed { axis: Axis::Y, sign: y }
                 }
             }
         }
@@ -103,34 +185,40 @@ impl Arc {
     /// Whether the end rule is met.
     #[inline]
     #[must_use]
-    pub const fn is_done(&self) -> bool {
-        self.rule.is_met(self.left, self.larger)
+    pub fn is_done(&self) -> bool {
+        self.rule.is_met(self.pulses_to_go(), self.larger)
     }
 
     /// What the counters of the end rule still hold, in pulses.
     #[must_use]
-    pub const fn remaining(&self) -> u64 {
-        self.rule.remaining(self.left, self.larger)
+    pub fn remaining(&self) -> u64 {
+        self.rule.remaining(self.pulses_to_go(), self.larger)
     }
 
     /// Pulses of each axis between here and the end point.
+    #[inline]
     #[must_use]
-    pub const fn pulses_to_go(&self) -> [u64; 2] {
-        self.left
+    pub fn pulses_to_go(&self) -> [u64; 2] {
+        self.by_axis(self.left)
     }
 
     /// The present point.
+    #[inline]
     #[must_use]
-    pub const fn position(&self) -> [i64; 2] {
-        self.position
+    pub fn position(&self) -> [i64; 2] {
+        // What is fed towards zero lies on the side that its pulses come from.
+        let Feeds { towards, away } = self.sweep.feeds();
+        let towards = -i64::from(towards.sign) * self.point[TOWARDS];
+        let away = i64::from(away.sign) * self.point[AWAY];
+        self.by_axis([towards, away])
     }
 
     /// What is missing to the end point: zero when done, but under [`EndRule::Larger`] the other
     /// axis may be left short.
     #[must_use]
     pub fn residual(&self) -> [i64; 2] {
-        let end = self.sweep.end();
-        [end[0] - self.position[0], end[1] - self.position[1]]
+        let (end, position) = (self.sweep.end(), self.position());
+        [end[0] - position[0], end[1] - position[1]]
     }
 
     /// What always holds: the counters hold the pulses of the way that is left, and while F
@@ -139,17 +227,28 @@ impl Arc {
     pub fn invariant(&self) -> bool {
         let peak = self.sweep.peak();
         self.sweep.invariant()
-            && self.left == self.sweep.pulses_to_go(self.position)
-            && (self.sweep.stands(self.position) != [false; 2]
+            && self.pulses_to_go() == self.sweep.pulses_to_go(self.position())
+            && self.by_axis(self.stands()) == self.sweep.stands(self.position())
+            && (self.stands() != [false; 2]
                 || (-2 * peak < self.f
                     && self.f <= 2 * peak
-                    && self.position.iter().all(|c| c.abs() <= peak)))
+                    && self.point.iter().all(|c| (0..=peak).contains(c))))
+    }
+
+    /// From the order of the motions to that of the axes.
+    #[inline]
+    fn by_axis<T: Copy>(&self, [towards, away]: [T; 2]) -> [T; 2] {
+        match self.sweep.feeds().towards.axis {
+            Axis::X => [towards, away],
+            Axis::Y => [away, towards],
+        }
     }
 }
 
 impl Iterator for Arc {
     type Item = Pulse;
 
+    #[inline]
     fn next(&mut self) -> Option<Pulse> {
         self.step()
     }

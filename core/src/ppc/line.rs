@@ -43,30 +43,33 @@ impl Line {
     }
 
     /// One step of four beats; `None` once the end rule is met.
+    ///
+    /// Both feeds are computed and one is chosen: on most lines no processor can predict F's
+    /// sign, and a wrong guess costs more than the sums.
     #[inline]
     pub fn step(&mut self) -> Option<Pulse> {
         if self.is_done() {
             return None;
         }
-        let axis = self.judge();
-        let fed = axis.index();
-        match axis {
-            Axis::X => self.f -= i64::from(self.end[1]),
-            Axis::Y => self.f += i64::from(self.end[0]),
-        }
-        self.left[fed] -= 1;
+        let feeds_x = self.judge() == Axis::X;
+        let [xe, ye] = self.end.map(i64::from);
+        self.f += if feeds_x { -ye } else { xe };
+        self.left[0] -= u32::from(feeds_x);
+        self.left[1] -= u32::from(!feeds_x);
         debug_assert!(self.invariant());
-        Some(Pulse::on(axis, self.sign[fed]))
+        let [x, y] = self.sign;
+        Some(Pulse([if feeds_x { x } else { 0 }, if feeds_x { 0 } else { y }]))
     }
 
     /// The axis that the next step feeds.
     ///
     /// F alone decides but for one case: on the line x_e = 0, F is 0 throughout and the plain
-    /// rule would feed x for ever. An axis whose pulses are used up is never fed.
+    /// rule would feed x for ever. (Elsewhere an axis whose pulses are used up is never due: with
+    /// x at its end F < 0, with y at its end F ≥ 0.)
     #[inline]
     #[must_use]
     pub const fn judge(&self) -> Axis {
-        if self.f >= 0 && self.left[0] > 0 || self.left[1] == 0 { Axis::X } else { Axis::Y }
+        if self.f >= 0 && self.end[0] != 0 { Axis::X } else { Axis::Y }
     }
 
     /// The deviation function F at the present point.
@@ -117,14 +120,16 @@ impl Line {
             && self.left[1] <= self.end[1]
     }
 
-    const fn larger(&self) -> usize {
-        if self.end[0] >= self.end[1] { 0 } else { 1 }
+    #[inline]
+    const fn larger(&self) -> Axis {
+        if self.end[0] >= self.end[1] { Axis::X } else { Axis::Y }
     }
 }
 
 impl Iterator for Line {
     type Item = Pulse;
 
+    #[inline]
     fn next(&mut self) -> Option<Pulse> {
         self.step()
     }
