@@ -111,9 +111,8 @@ proptest! {
                 }
             }
         }
-        if let Ok(bits) = dda::CentredArc::bits(start, end, direction)
-            && let Ok(register) = Register::new(Radix::Binary, bits)
-        {
+        let bits = dda::CentredArc::bits(start, end, direction).unwrap_or(0);
+        if let Ok(register) = Register::new(Radix::Binary, bits) {
             let mut arc = dda::CentredArc::new(start, end, direction, register, false).unwrap();
             for _ in 0..CYCLES {
                 arc.step();
