@@ -23,6 +23,10 @@ impl OutputFile {
         if path.is_dir() {
             return Err(Failure::Fault(format!("{}: is a directory", path.display())));
         }
+        if !folder.is_dir() {
+            let why = format!("{}: there is no folder {}", path.display(), folder.display());
+            return Err(Failure::Fault(why));
+        }
         let mut builder = tempfile::Builder::new();
         builder.prefix(".onepulse-");
         #[cfg(unix)]
