@@ -56,7 +56,13 @@ pub(crate) struct WaveArguments {
     #[arg(short, long, value_name = "FILE", global = true)]
     pub(crate) output: Option<PathBuf>,
     /// Frequency of the pulse source, which times the interpolation cycles, in hertz
-    #[arg(long, value_name = "HZ", default_value_t = 1_000_000, global = true)]
+    #[arg(
+        long,
+        value_name = "HZ",
+        default_value_t = 1_000_000,
+        global = true,
+        allow_negative_numbers = true
+    )]
     pub(crate) source_hz: u64,
 }
 
@@ -74,7 +80,7 @@ pub(crate) struct RunArguments {
     #[arg(long)]
     pub(crate) no_waves: bool,
     /// The pulse equivalent in millimetres
-    #[arg(long, value_name = "MM")]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     pub(crate) pulse_mm: Option<String>,
     #[command(flatten)]
     pub(crate) options: Options,
@@ -117,7 +123,7 @@ pub(crate) struct Options {
     #[arg(long, value_enum, global = true)]
     pub(crate) end_rule: Option<EndRuleName>,
     /// Register width [default: the smallest that serves the curve]
-    #[arg(long, value_name = "N", global = true)]
+    #[arg(long, value_name = "N", global = true, allow_negative_numbers = true)]
     pub(crate) bits: Option<u32>,
     /// Register radix of DDA lines, 2 or 10: --bits then counts digits [default: 2]
     #[arg(long, value_name = "2|10", global = true, value_parser = ["2", "10"])]

@@ -12,6 +12,16 @@ pub(crate) enum Curve {
     Arc { from: [i32; 2], to: [i32; 2], direction: Direction },
 }
 
+impl Curve {
+    /// The end point.
+    pub(crate) fn end(&self) -> Vec<i64> {
+        match self {
+            Self::Line { to } => to.iter().copied().map(i64::from).collect(),
+            Self::Arc { to, .. } => to.iter().copied().map(i64::from).collect(),
+        }
+    }
+}
+
 /// Whole coordinates, separated by commas.
 #[derive(Clone, Debug)]
 pub(crate) struct Point(pub(crate) Vec<i32>);

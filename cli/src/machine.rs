@@ -2,10 +2,51 @@
 
 use crate::choice::{Method, UpdateName};
 use crate::curve::Curve;
+use crate::failure::Failure;
 use onepulse_core::dda::{Preset, Radix, Register};
 use onepulse_core::{Direction, Error, Pulse};
 use onepulse_core::{brm, dda, ppc};
 use onepulse_hwmodel::{self as hw, Circuit};
+use std::fmt;
+
+/// Why no machine serves a curve.
+#[derive(Clone, Debug)]
+pub(crate) enum Refusal {
+    /// The method does not do that.
+    Method(&'static str),
+    /// The machine of that method refuses the curve or the registers.
+    Machine(Error),
+}
+
+impl Refusal {
+    /// As an error of a command line that gave the curve.
+    pub(crate) fn usage(self) -> Failure {
+        let option = match &self {
+            Self::Machine(Error::RegisterWidth { .. } | Error::RegisterTooNarrow { .. }) => {
+                "--bits: "
+            }
+            Self::Machine(Error::StartInCentre | Error::CircleTooLarge { .. }) => "--from: ",
+            Self::Machine(Error::EndInCentre) => "--to: ",
+            _ => "",
+        };
+        Failure::Usage(format!("{option}{self}"))
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Method(why) => f.write_str(why),
+            Self::Machine(why) => why.fmt(f),
+        }
+    }
+}
+
+impl From<Error> for Refusal {
+    fn from(why: Error) -> Self {
+        Self::Machine(why)
+    }
+}
 
 /// Something to be done with the two machines of a curve.
 pub(crate) trait Visitor {
@@ -30,23 +71,22 @@ pub(crate) fn with_machines<V: Visitor>(
     method: &Method,
     bits: Option<u32>,
     visitor: V,
-) -> Result<V::Output, String> {
+) -> Result<V::Output, Refusal> {
     match curve {
         Curve::Line { to } => match (method, to.as_slice()) {
             (Method::Ppc { end_rule }, &[x, y]) => {
                 let bits = width(bits, 32, holding(Radix::Binary, to))?;
-                let software = ppc::Line::new([x, y], *end_rule).map_err(refused)?;
+                let software = ppc::Line::new([x, y], *end_rule)?;
                 let circuit = || hw::ppc::Line::new([x, y], bits, *end_rule);
                 Ok(visitor.visit(software, circuit, [0, 0]))
             }
-            (Method::Ppc { .. }, _) => Err(
-                "point-by-point comparison serves lines of 2 axes so far: use --method dda or brm"
-                    .into(),
-            ),
+            (Method::Ppc { .. }, _) => Err(Refusal::Method(
+                "point-by-point comparison serves lines of 2 axes so far: use --method dda or brm",
+            )),
             (_, &[x, y]) => line([x, y], method, bits, visitor),
             (_, &[x, y, z]) => line([x, y, z], method, bits, visitor),
             (_, &[x, y, z, a]) => line([x, y, z, a], method, bits, visitor),
-            _ => Err("a line has 2 to 4 axes".into()),
+            _ => Err(Refusal::Method("a line has 2 to 4 axes")),
         },
         &Curve::Arc { from, to, direction } => arc(from, to, direction, method, bits, visitor),
     }
@@ -57,23 +97,25 @@ fn line<V: Visitor, const AXES: usize>(
     method: &Method,
     bits: Option<u32>,
     visitor: V,
-) -> Result<V::Output, String> {
+) -> Result<V::Output, Refusal> {
     let start = [0; AXES];
     match *method {
         Method::Dda { radix, preset, normalize, .. } => {
             let digits = bits.unwrap_or_else(|| holding(radix, &to));
-            let register = Register::new(radix, digits).map_err(refused)?;
+            let register = Register::new(radix, digits)?;
             let preset = preset.unwrap_or_default();
-            let software = dda::Line::new(to, register, preset, normalize).map_err(refused)?;
+            let software = dda::Line::new(to, register, preset, normalize)?;
             let circuit = || hw::dda::Line::new(to, digits, preset, normalize);
             Ok(visitor.visit(software, circuit, start))
         }
         Method::Brm => {
             let bits = bits.unwrap_or_else(|| holding(Radix::Binary, &to));
-            let software = brm::Line::new(to, bits).map_err(refused)?;
+            let software = brm::Line::new(to, bits)?;
             Ok(visitor.visit(software, || hw::brm::Line::new(to, bits), start))
         }
-        Method::Ppc { .. } => Err("point-by-point comparison serves lines of 2 axes".into()),
+        Method::Ppc { .. } => {
+            Err(Refusal::Method("point-by-point comparison serves lines of 2 axes"))
+        }
     }
 }
 
@@ -84,40 +126,43 @@ fn arc<V: Visitor>(
     method: &Method,
     bits: Option<u32>,
     visitor: V,
-) -> Result<V::Output, String> {
+) -> Result<V::Output, Refusal> {
     let start = from.map(i64::from);
     match *method {
         Method::Ppc { end_rule } => {
-            let needed = hw::ppc::Arc::bits(from, to, direction).map_err(refused)?;
+            let needed = hw::ppc::Arc::bits(from, to, direction)?;
             let bits = width(bits, 32, needed)?;
-            let software = ppc::Arc::new(from, to, direction, end_rule).map_err(refused)?;
+            let software = ppc::Arc::new(from, to, direction, end_rule)?;
             let circuit = || hw::ppc::Arc::new(from, to, direction, bits, end_rule);
             Ok(visitor.visit(software, circuit, start))
         }
         Method::Dda { radix, preset, normalize, update: UpdateName::Simultaneous } => {
-            let needed = dda::Arc::bits(from, to, direction).map_err(refused)?;
+            let needed = dda::Arc::bits(from, to, direction)?;
             let bits = bits.unwrap_or(needed);
-            let register = Register::new(radix, bits).map_err(refused)?;
+            let register = Register::new(radix, bits)?;
             let preset = preset.unwrap_or_default();
             let software = dda::Arc::new(from, to, direction, register, preset, normalize);
             let circuit = || hw::dda::Arc::new(from, to, direction, bits, preset, normalize);
-            Ok(visitor.visit(software.map_err(refused)?, circuit, start))
+            Ok(visitor.visit(software?, circuit, start))
         }
         Method::Dda { radix, preset, normalize, update: UpdateName::Staggered } => {
             if !matches!(preset, None | Some(Preset::Half)) {
-                return Err("the staggered circuit takes half load only: with full load it \
+                return Err(Refusal::Method(
+                    "the staggered circuit takes half load only: with full load it \
                      starves, with zero it is off centre; leave --preset out, or take \
-                     --update simultaneous"
-                    .into());
+                     --update simultaneous",
+                ));
             }
-            let needed = dda::CentredArc::bits(from, to, direction).map_err(refused)?;
+            let needed = dda::CentredArc::bits(from, to, direction)?;
             let bits = bits.unwrap_or(needed);
-            let register = Register::new(radix, bits).map_err(refused)?;
+            let register = Register::new(radix, bits)?;
             let software = dda::CentredArc::new(from, to, direction, register, normalize);
             let circuit = || hw::dda::CentredArc::new(from, to, direction, bits, normalize);
-            Ok(visitor.visit(software.map_err(refused)?, circuit, start))
+            Ok(visitor.visit(software?, circuit, start))
         }
-        Method::Brm => Err("the rate multiplier serves lines only: use --method ppc or dda".into()),
+        Method::Brm => {
+            Err(Refusal::Method("the rate multiplier serves lines only: use --method ppc or dda"))
+        }
     }
 }
 
@@ -128,19 +173,13 @@ fn holding(radix: Radix, coordinates: &[i32]) -> u32 {
 }
 
 /// A width that the software machine does not ask for but its circuit has.
-fn width(bits: Option<u32>, widest: u32, needed: u32) -> Result<u32, String> {
+fn width(bits: Option<u32>, widest: u32, needed: u32) -> Result<u32, Error> {
     match bits {
         None => Ok(needed),
         Some(digits) if digits == 0 || digits > widest => {
-            Err(refused(Error::RegisterWidth { digits, widest }))
+            Err(Error::RegisterWidth { digits, widest })
         }
-        Some(digits) if digits < needed => {
-            Err(refused(Error::RegisterTooNarrow { digits, needed }))
-        }
+        Some(digits) if digits < needed => Err(Error::RegisterTooNarrow { digits, needed }),
         Some(bits) => Ok(bits),
     }
-}
-
-fn refused(why: Error) -> String {
-    why.to_string()
 }

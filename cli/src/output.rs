@@ -71,15 +71,18 @@ pub(crate) fn write_whole(path: &Path, text: &str) -> Result<OutputFile, Failure
 #[derive(Debug)]
 pub(crate) struct OutputFolder {
     path: PathBuf,
-    is_new: bool,
+    /// The folders that were made for it, the innermost first.
+    made: Vec<PathBuf>,
 }
 
 impl OutputFolder {
     /// The folder, made now if it does not exist.
     pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
-        let is_new = !path.exists();
+        let missing = |folder: &&Path| !folder.as_os_str().is_empty() && !folder.exists();
+        let made = path.ancestors().take_while(missing).map(Path::to_owned).collect();
+        let folder = Self { path: path.to_owned(), made };
         fs::create_dir_all(path).map_err(|error| Failure::file(path, &error))?;
-        Ok(Self { path: path.to_owned(), is_new })
+        Ok(folder)
     }
 
     /// Where it is.
@@ -95,9 +98,9 @@ impl OutputFolder {
 
 impl Drop for OutputFolder {
     fn drop(&mut self) {
-        if self.is_new {
+        for folder in &self.made {
             // Fails, rightly, unless the folder is empty.
-            let _ = fs::remove_dir(&self.path);
+            let _ = fs::remove_dir(folder);
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::args::CurveArguments;
 use crate::choice::Method;
 use crate::failure::Failure;
-use crate::machine::{Visitor, with_machines};
+use crate::machine::{Refusal, Visitor, with_machines};
 use onepulse_core::{Error, Pulse};
 use onepulse_hwmodel::Circuit;
 use std::io::{self, BufWriter, Write};
@@ -14,11 +14,15 @@ pub(crate) const AXES: [&str; 4] = ["x", "y", "z", "a"];
 pub(crate) fn pulses(arguments: &CurveArguments) -> Result<(), Failure> {
     let method = Method::from_options(&arguments.options).map_err(Failure::Usage)?;
     let curve = arguments.curve();
-    let written = with_machines(&curve, &method, arguments.options.bits, ToStdout);
-    written.map_err(Failure::Usage)?.map_err(|error| Failure::stdout(&error))
+    let end = curve.end();
+    with_machines(&curve, &method, arguments.options.bits, ToStdout { end })
+        .map_err(Refusal::usage)?
+        .map_err(|error| Failure::stdout(&error))
 }
 
-struct ToStdout;
+struct ToStdout {
+    end: Vec<i64>,
+}
 
 impl Visitor for ToStdout {
     type Output = io::Result<()>;
@@ -46,7 +50,18 @@ impl Visitor for ToStdout {
                 write_row(&mut out, cycle, pulse, position)?;
             }
         }
-        out.flush()
+        out.flush()?;
+        say_residual(&self.end, &position);
+        Ok(())
+    }
+}
+
+/// Says on standard error how far a path that has ended is from its end point, if it is: the
+/// end rule of the larger axis may leave the other one short.
+pub(crate) fn say_residual(end: &[i64], position: &[i64]) {
+    let short: Vec<_> = end.iter().zip(position).map(|(e, p)| (e - p).to_string()).collect();
+    if end != position {
+        eprintln!("note: not exact: the end point is {} pulses further", short.join(","));
     }
 }
 

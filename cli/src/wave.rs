@@ -3,7 +3,7 @@
 use crate::args::WaveArguments;
 use crate::choice::Method;
 use crate::failure::Failure;
-use crate::machine::{Visitor, with_machines};
+use crate::machine::{Refusal, Visitor, with_machines};
 use crate::output::{OutputFile, write_whole};
 use onepulse_core::dda::Radix;
 use onepulse_core::{Error, Pulse};
@@ -23,7 +23,7 @@ pub(crate) fn wave(arguments: &WaveArguments) -> Result<(), Failure> {
     };
     let recording = Recording { path, source_hz: arguments.source_hz };
     with_machines(&arguments.curve.curve(), &method, options.bits, recording)
-        .map_err(Failure::Usage)?
+        .map_err(Refusal::usage)?
 }
 
 struct Recording<'a> {

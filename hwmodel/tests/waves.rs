@@ -9,7 +9,7 @@ use onepulse_hwmodel::trace::{
 use onepulse_hwmodel::{Circuit, brm, dda, ppc};
 use std::collections::BTreeMap;
 use std::fs::File;
-use std::io::BufWriter;
+use std::io::{BufReader, BufWriter};
 use std::path::Path;
 use std::process::Command;
 
@@ -168,13 +168,13 @@ fn assert_faithful<C: Circuit<AXES> + Clone, const AXES: usize>(circuit: &C) {
     let names: Vec<_> =
         list.signals().iter().map(|s| format!("onepulse.{}.{}", C::NAME, s.name)).collect();
 
-    let vcd = read(&dir.path().join("wave.vcd"));
+    let read_vcd = read(&dir.path().join("wave.vcd"));
     let mut circuit = circuit.clone();
     for k in 0.. {
         let mut reading = Reading::default();
         circuit.probe(&mut reading);
         for (name, value) in names.iter().zip(&reading.0) {
-            let changes = &vcd[name];
+            let changes = &read_vcd[name];
             let shown = &changes.iter().rev().find(|(at, _)| *at <= 2 * k).unwrap().1;
             let width = value.len();
             assert_eq!(format!("{shown:0>width$}"), *value, "{name}, clock {k}");
@@ -184,8 +184,19 @@ fn assert_faithful<C: Circuit<AXES> + Clone, const AXES: usize>(circuit: &C) {
         }
         circuit.clock();
     }
-    for (name, changes) in &vcd {
-        assert!(changes.windows(2).all(|pair| pair[0].1 != pair[1].1), "{name} repeats a value");
+    // As written: readers leave repeated values out by themselves.
+    let mut last = BTreeMap::new();
+    let text = File::open(dir.path().join("wave.vcd")).unwrap();
+    for command in vcd::Parser::new(BufReader::new(text)) {
+        let (id, value) = match command.unwrap() {
+            vcd::Command::ChangeScalar(id, value) => (id, value.to_string()),
+            vcd::Command::ChangeVector(id, value) => (id, value.to_string()),
+            vcd::Command::ChangeString(id, value) => (id, value),
+            _ => continue,
+        };
+        assert_ne!(last.insert(id, value.clone()), Some(value), "{id} repeats its value");
+    }
+    for (name, changes) in &read_vcd {
         assert!(changes.windows(2).all(|pair| pair[0].0 < pair[1].0), "{name} runs backwards");
     }
 
@@ -199,9 +210,9 @@ fn assert_faithful<C: Circuit<AXES> + Clone, const AXES: usize>(circuit: &C) {
         .status;
     assert!(status.success(), "vcd2fst: {status}");
     let converted = read(&converted);
-    assert_eq!(vcd.keys().collect::<Vec<_>>(), fst.keys().collect::<Vec<_>>());
-    assert_eq!(vcd.keys().collect::<Vec<_>>(), converted.keys().collect::<Vec<_>>());
-    for (name, changes) in &vcd {
+    assert_eq!(read_vcd.keys().collect::<Vec<_>>(), fst.keys().collect::<Vec<_>>());
+    assert_eq!(read_vcd.keys().collect::<Vec<_>>(), converted.keys().collect::<Vec<_>>());
+    for (name, changes) in &read_vcd {
         assert_eq!(&converted[name], changes, "{name} as vcd2fst has it");
         let times = |changes: &[(u64, String)]| changes.iter().map(|c| c.0).collect::<Vec<_>>();
         assert_eq!(times(&fst[name]), times(changes), "{name} in the FST");

@@ -47,6 +47,9 @@ const PULSE: Length = Length::from_picometres(Length::MILLIMETRE.picometres() / 
 /// Wide enough for ±8 million pulses with the headroom bit that circles need.
 const BITS: u32 = 24;
 
+/// A rate multiplier takes 2ⁿ clocks for every line, however short.
+const BRM_BITS: u32 = 16;
+
 impl Config {
     /// The machine of a command line.
     pub(super) fn load(arguments: &RunArguments) -> Result<Self, Failure> {
@@ -92,7 +95,15 @@ impl Config {
             normalize: given.normalize || is_dda && file.normalize.unwrap_or(true),
             update: given.update.or(file.update.filter(|_| is_dda)),
         };
-        let bits = given.bits.or(file.bits).unwrap_or(BITS);
+        let default = if method == MethodName::Brm { BRM_BITS } else { BITS };
+        let bits = given.bits.or(file.bits).unwrap_or(default);
+        if !(2..=32).contains(&bits) {
+            let why = format!("registers of {bits} bits are not offered: 2 to 32 are");
+            return Err(match given.bits {
+                Some(_) => Failure::Usage(format!("--bits: {why}")),
+                None => in_file(format!("bits = {bits}: {why}")),
+            });
+        }
         Ok(Self { machine, bits, options })
     }
 

@@ -12,7 +12,7 @@ use crate::args::RunArguments;
 use crate::choice::Method;
 use crate::curve::Curve;
 use crate::failure::Failure;
-use crate::machine::with_machines;
+use crate::machine::{Refusal, with_machines};
 use block::BlockRun;
 use config::Config;
 use deviation::Deviation;
@@ -59,8 +59,8 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             cycles_per_second: speed.cycles_per_second(&curve, &method, config.bits),
             outputs: &mut outputs,
         };
-        let refused = |why: String| {
-            let diagnostic = refused_block(&motion, program.text(), why);
+        let refused = |why: Refusal| {
+            let diagnostic = refused_block(&motion, program.text(), &why);
             Failure::Program { file: name.clone(), diagnostic: Box::new(diagnostic) }
         };
         let result = with_machines(&curve, &method, Some(config.bits), run).map_err(refused)??;
@@ -94,13 +94,13 @@ fn curve(motion: &Motion) -> Curve {
 }
 
 /// A block that the machine's method or registers do not serve.
-fn refused_block(motion: &Motion, text: &str, why: String) -> Diagnostic {
+fn refused_block(motion: &Motion, text: &str, why: &Refusal) -> Diagnostic {
     let start = text.len() - text.trim_start().len();
     Diagnostic {
         line: motion.line,
         source: text.to_owned(),
         span: start..text.trim_end().len().max(start),
-        message: why,
+        message: why.to_string(),
         help: "change the block, or the machine: --method, --bits or machine.toml".into(),
     }
 }

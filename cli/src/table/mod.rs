@@ -9,7 +9,8 @@ use crate::args::TableArguments;
 use crate::choice::{Method, UpdateName};
 use crate::curve::Curve;
 use crate::failure::Failure;
-use crate::machine::{Visitor, with_machines};
+use crate::machine::{Refusal, Visitor, with_machines};
+use crate::pulses::say_residual;
 use clap::ValueEnum;
 use onepulse_core::dda::{Radix, Register};
 use onepulse_core::{self as core, Error, Pulse};
@@ -60,9 +61,10 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<(), Failure> {
     let options = &arguments.curve.options;
     let method = Method::from_options(options).map_err(Failure::Usage)?;
     let curve = arguments.curve.curve();
-    // The one place that knows what suits together says what does not.
-    with_machines(&curve, &method, options.bits, Nothing).map_err(Failure::Usage)?;
-    let write = |why: Error| Failure::Usage(why.to_string());
+    // The one place that knows what suits together says what does not, and where it ends.
+    with_machines(&curve, &method, options.bits, Ending { end: curve.end() })
+        .map_err(Refusal::usage)?;
+    let write = |why: Error| Refusal::from(why).usage();
     match (method, &curve) {
         (Method::Ppc { end_rule }, Curve::Line { to }) => {
             let machine = core::ppc::Line::new([to[0], to[1]], end_rule).map_err(write)?;
@@ -105,7 +107,7 @@ fn line<const N: usize>(
     method: &Method,
     arguments: &TableArguments,
 ) -> Result<(), Failure> {
-    let write = |why: Error| Failure::Usage(why.to_string());
+    let write = |why: Error| Refusal::from(why).usage();
     let largest = to.iter().map(|c| c.unsigned_abs()).max().unwrap_or(0);
     let bits = arguments.curve.options.bits;
     match *method {
@@ -129,16 +131,30 @@ fn print(table: &impl Table, arguments: &TableArguments) -> Result<(), Failure> 
     written.map_err(|error| Failure::stdout(&error))
 }
 
-struct Nothing;
+/// Says what an end rule leaves short.
+struct Ending {
+    end: Vec<i64>,
+}
 
-impl Visitor for Nothing {
+impl Visitor for Ending {
     type Output = ();
 
-    fn visit<S, C, const N: usize>(self, _: S, _: impl FnOnce() -> Result<C, Error>, _: [i64; N])
-    where
+    fn visit<S, C, const N: usize>(
+        self,
+        software: S,
+        _: impl FnOnce() -> Result<C, Error>,
+        start: [i64; N],
+    ) where
         S: Iterator<Item = Pulse<N>>,
         C: Circuit<N>,
     {
+        let mut position = start;
+        for Pulse(pulse) in software {
+            for axis in 0..N {
+                position[axis] += i64::from(pulse[axis]);
+            }
+        }
+        say_residual(&self.end, &position);
     }
 }
 

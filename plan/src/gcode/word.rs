@@ -152,7 +152,7 @@ impl Cursor<'_> {
         if count == 0 {
             let letter = &self.line[start..=start];
             return Err(Fault::new(
-                start..self.at.max(start + 1),
+                start..if self.at > first { self.at } else { start + 1 },
                 format!("{letter} is not followed by a number"),
                 format!("write the number right after the letter, as in {letter}10"),
             ));

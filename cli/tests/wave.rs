@@ -1,0 +1,254 @@
+//! `onepulse wave`: the hardware model's wave of one curve.
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+use assert_cmd::cargo::cargo_bin_cmd;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::Output;
+use tempfile::TempDir;
+
+/// `onepulse wave` in a folder, with these arguments separated by blanks.
+fn wave(folder: &Path, arguments: &str) -> Output {
+    let mut command = cargo_bin_cmd!("onepulse");
+    command.current_dir(folder).arg("wave").args(arguments.split_whitespace()).output().unwrap()
+}
+
+fn check_written(folder: &Path, arguments: &str) {
+    let output = wave(folder, arguments);
+    let errors = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{arguments}: {errors}");
+}
+
+/// Fails with this exit status and these words, and leaves nothing behind in the folder.
+fn check_refused(arguments: &str, status: i32, words: &str) {
+    let folder = TempDir::new().unwrap();
+    let output = wave(folder.path(), arguments);
+    let errors = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(status), "{arguments}: {errors}");
+    assert_eq!(output.stdout, b"", "{arguments}");
+    assert!(errors.contains(words), "{arguments}: '{words}' is missing in: {errors}");
+    assert_eq!(names(folder.path()), [""; 0], "{arguments}");
+}
+
+/// What lies in a folder, sorted.
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<_> =
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+/// Every signal's changes by its full name: (time, value as text).
+type Changes = BTreeMap<String, Vec<(u64, String)>>;
+
+fn read(path: &Path) -> Changes {
+    let mut wave = wellen::simple::read(path).unwrap();
+    let hierarchy = wave.hierarchy();
+    let signals: Vec<_> = hierarchy
+        .all_vars()
+        .map(|var| (hierarchy[var].full_name(hierarchy), hierarchy[var].signal_ref()))
+        .collect();
+    wave.load_signals(&signals.iter().map(|(_, signal)| *signal).collect::<Vec<_>>());
+    let times = wave.time_table().to_vec();
+    let changes = |signal| {
+        let changes = wave.get_signal(signal).unwrap().iter_changes();
+        changes.map(|(at, value)| (times[at as usize], value.to_string())).collect()
+    };
+    signals.into_iter().map(|(name, signal)| (name, changes(signal))).collect()
+}
+
+fn value_at<'a>(changes: &'a Changes, name: &str, time: u64) -> &'a str {
+    let so_far = changes[name].iter().take_while(|(at, _)| *at <= time);
+    &so_far.last().unwrap_or_else(|| panic!("{name} has no value at {time}")).1
+}
+
+/// The clock periods in which an axis has a pulse: each rising edge of the clock begins one.
+fn pulses(changes: &Changes, axis: char) -> usize {
+    let rises = changes["onepulse.clk"].iter().filter(|(_, value)| value == "1");
+    let pulse = format!("onepulse.pulse_{axis}");
+    rises.filter(|(at, _)| value_at(changes, &pulse, *at) == "1").count()
+}
+
+/// The position counter of an axis at the end.
+fn position(changes: &Changes, axis: char) -> i64 {
+    let name = format!("onepulse.position_{axis}");
+    let (_, value) = changes[&name].last().unwrap();
+    let number = i64::from_str_radix(value, 2).unwrap();
+    let is_negative = value.len() == 34 && value.starts_with('1');
+    if is_negative { number - (1 << 34) } else { number }
+}
+
+/// A curve, the circuit that makes it, its pulses in x and in y, and where it ends.
+type Case = (&'static str, &'static str, [usize; 2], [i64; 2]);
+
+const CASES: [Case; 10] = [
+    ("line --to 5,3", "ppc_line", [5, 3], [5, 3]),
+    ("line --to -50,31", "ppc_line", [50, 31], [-50, 31]),
+    ("line --to 3,3 --end-rule larger", "ppc_line", [3, 2], [3, 2]),
+    ("arc --from 5,0 --to 0,5 --ccw", "ppc_arc", [5, 5], [0, 5]),
+    ("arc --from 5,0 --to 5,0 --cw", "ppc_arc", [20, 20], [5, 0]),
+    ("line --to 4,-6 --method dda --bits 3", "dda_line", [4, 6], [4, -6]),
+    ("line --to 100,255 --method dda --normalize --bits 12", "dda_line", [100, 255], [100, 255]),
+    ("arc --from 5,0 --to 0,5 --ccw --method dda", "dda_centred_arc", [5, 5], [0, 5]),
+    ("arc --from 5,0 --to 0,5 --ccw --method dda --update simultaneous", "dda_arc", [5, 5], [0, 5]),
+    ("line --to -10,-6 --method brm --bits 4", "brm_line", [10, 6], [-10, -6]),
+];
+
+#[test]
+fn waves_show_the_circuit_and_every_pulse() {
+    for (arguments, circuit, [x, y], end) in CASES {
+        for extension in ["vcd", "fst"] {
+            let folder = TempDir::new().unwrap();
+            let file = format!("curve.{extension}");
+            check_written(folder.path(), &format!("{arguments} -o {file}"));
+            assert_eq!(names(folder.path()), sorted(["curve.gtkw", &file]), "{arguments}");
+
+            let changes = read(&folder.path().join(&file));
+            let scope = format!("onepulse.{circuit}.");
+            let inside = changes.keys().filter(|name| name.starts_with(&scope)).count();
+            assert!(inside > 0, "{arguments} {extension}: nothing in {scope}");
+            let outside = changes.keys().filter(|name| name.matches('.').count() == 2);
+            assert_eq!(outside.count(), inside, "{arguments} {extension}");
+            assert_eq!([pulses(&changes, 'x'), pulses(&changes, 'y')], [x, y], "{arguments}");
+            let position = [position(&changes, 'x'), position(&changes, 'y')];
+            assert_eq!(position, end, "{arguments} {extension}");
+        }
+    }
+}
+
+fn sorted<const N: usize>(names: [&str; N]) -> [&str; N] {
+    let mut names = names;
+    names.sort_unstable();
+    names
+}
+
+#[test]
+fn vcd_and_fst_say_the_same() {
+    let folder = TempDir::new().unwrap();
+    for (arguments, ..) in CASES {
+        check_written(folder.path(), &format!("{arguments} -o a.vcd"));
+        check_written(folder.path(), &format!("{arguments} -o b.fst"));
+        let [vcd, fst] = ["a.vcd", "b.fst"].map(|name| read(&folder.path().join(name)));
+        assert_eq!(vcd.keys().collect::<Vec<_>>(), fst.keys().collect::<Vec<_>>(), "{arguments}");
+        for signal in ["clk", "pulse_x", "pulse_y", "negative_y", "position_x", "position_y"] {
+            let signal = format!("onepulse.{signal}");
+            assert_eq!(vcd[&signal], fst[&signal], "{arguments} {signal}");
+        }
+    }
+}
+
+#[test]
+fn the_layout_names_the_wave_and_its_signals() {
+    for (arguments, circuit, ..) in CASES {
+        for file in ["curve.vcd", "curve.fst"] {
+            let folder = TempDir::new().unwrap();
+            check_written(folder.path(), &format!("{arguments} -o {file}"));
+            let changes = read(&folder.path().join(file));
+            let layout = fs::read_to_string(folder.path().join("curve.gtkw")).unwrap();
+            assert!(layout.contains(&format!("[dumpfile] \"{file}\"\n")), "{layout}");
+            assert!(layout.contains(&format!("\n-{circuit}\n")), "{layout}");
+            let shown: Vec<_> = layout
+                .lines()
+                .filter(|line| line.starts_with("onepulse."))
+                .map(|line| line.split('[').next().unwrap())
+                .collect();
+            assert_eq!(shown.len(), changes.len(), "{arguments}: every signal is laid out");
+            for name in shown {
+                assert!(changes.contains_key(name), "{arguments}: {name} is not in {file}");
+            }
+        }
+    }
+}
+
+#[test]
+fn lines_of_four_axes_show_them_all() {
+    let folder = TempDir::new().unwrap();
+    for method in ["dda", "brm"] {
+        check_written(folder.path(), &format!("line --to 5,-3,7,-1 --method {method} -o a.fst"));
+        let changes = read(&folder.path().join("a.fst"));
+        for (axis, end) in [('x', 5), ('y', -3), ('z', 7), ('a', -1)] {
+            assert_eq!(pulses(&changes, axis), i64::unsigned_abs(end) as usize, "{method} {axis}");
+            assert_eq!(position(&changes, axis), end, "{method} {axis}");
+        }
+    }
+}
+
+#[test]
+fn arcs_start_where_they_start() {
+    let folder = TempDir::new().unwrap();
+    check_written(folder.path(), "arc --from -4,3 --to -4,3 --cw --method dda -o a.vcd");
+    let changes = read(&folder.path().join("a.vcd"));
+    let first = |name: &str| i64::from_str_radix(value_at(&changes, name, 0), 2).unwrap();
+    assert_eq!(first("onepulse.position_x"), (1 << 34) - 4);
+    assert_eq!(first("onepulse.position_y"), 3);
+    assert_eq!([position(&changes, 'x'), position(&changes, 'y')], [-4, 3]);
+}
+
+#[test]
+fn the_pulse_source_sets_the_time_axis() {
+    // Eight accumulations at 1 kHz are 8 ms.
+    let folder = TempDir::new().unwrap();
+    check_written(folder.path(), "line --to 4,6 --method dda --source-hz 1000 -o a.vcd");
+    let wave = wellen::simple::read(folder.path().join("a.vcd")).unwrap();
+    let scale = wave.hierarchy().timescale().unwrap();
+    let exponent = i32::from(scale.unit.to_exponent().unwrap());
+    let unit = f64::from(scale.factor) * 10_f64.powi(exponent);
+    let changes = read(&folder.path().join("a.vcd"));
+    let (last, _) = changes["onepulse.dda_line.je"].last().unwrap();
+    assert!((*last as f64 * unit - 8e-3).abs() < 1e-9, "{last} of {unit} s");
+}
+
+#[test]
+fn an_older_wave_is_replaced() {
+    let folder = TempDir::new().unwrap();
+    check_written(folder.path(), "line --to 50,30 -o a.vcd");
+    check_written(folder.path(), "line --to 5,3 -o a.vcd");
+    assert_eq!(pulses(&read(&folder.path().join("a.vcd")), 'x'), 5);
+    assert_eq!(names(folder.path()), ["a.gtkw", "a.vcd"]);
+}
+
+#[test]
+fn other_endings_are_refused() {
+    for file in ["a.txt", "a", "a.gtkw", "a.VCD", "vcd", ".vcd", "a.vcd.gz"] {
+        check_refused(&format!("line --to 5,3 -o {file}"), 2, ".vcd or .fst");
+    }
+    check_refused("line --to 5,3", 2, "-o FILE");
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_at_fault() {
+    check_refused("line --to 5,3 -o missing/a.vcd", 1, "missing/a.vcd");
+    check_refused("line --to 5,3 -o /dev/null/a.fst", 1, "/dev/null/a.fst");
+}
+
+#[test]
+fn nothing_is_written_where_a_folder_is_in_the_way() {
+    for in_the_way in ["a.vcd", "a.gtkw"] {
+        let folder = TempDir::new().unwrap();
+        fs::create_dir(folder.path().join(in_the_way)).unwrap();
+        let output = wave(folder.path(), "line --to 5,3 -o a.vcd");
+        assert_eq!(output.status.code(), Some(1), "{in_the_way}");
+        assert!(String::from_utf8(output.stderr).unwrap().contains(in_the_way));
+        assert_eq!(names(folder.path()), [in_the_way]);
+    }
+}
+
+#[test]
+fn wrong_command_lines_are_refused_and_write_nothing() {
+    for (arguments, words) in [
+        ("line --to 5,3 -o a.vcd --normalize", "--normalize"),
+        ("line --to 5,3 -o a.vcd --bits 2", "needs 3"),
+        ("line --to 8,6 -o a.vcd --method dda --radix 10", "--radix"),
+        ("arc --from 5,0 --to 0,5 --ccw --method brm -o a.vcd", "--method"),
+        ("arc --from 5,0 --to 0,5 --ccw --method dda --preset zero -o a.vcd", "--preset"),
+        ("arc --from 0,0 --to 0,5 --ccw -o a.vcd", "starts in its centre"),
+        ("line --to 5,3 -o a.vcd --source-hz 0", "--source-hz"),
+        ("line --to 5,3 -o a.vcd --source-hz 99999999999999", "--source-hz"),
+        ("line --to 5,3 -o a.vcd --source-hz x", "--source-hz"),
+        ("line --to 5,y -o a.vcd", "--to"),
+    ] {
+        check_refused(arguments, 2, words);
+    }
+}
