@@ -13,6 +13,7 @@
 //! narrow widths and at random at full width.
 
 pub mod brm_line;
+pub mod cosim;
 pub mod dda_arc;
 pub mod dda_line;
 mod lattice;

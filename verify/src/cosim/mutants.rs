@@ -1,0 +1,139 @@
+//! Proof that the comparison sees: every mutant of the Verilog must be told from the circuit.
+
+use super::engine::Engine;
+use super::stimulus::Run;
+use super::twin::Twin;
+use std::fs;
+use std::path::Path;
+
+/// A small change of a file of the twin, and the engine that must show it.
+struct Mutant {
+    engine: Engine,
+    file: &'static str,
+    from: &'static str,
+    to: &'static str,
+}
+
+const fn mutant(
+    engine: Engine,
+    file: &'static str,
+    from: &'static str,
+    to: &'static str,
+) -> Mutant {
+    Mutant { engine, file, from, to }
+}
+
+/// At least one for every register and every decision.
+const MUTANTS: &[Mutant] = &[
+    mutant(
+        Engine::DdaLine,
+        "integrator.v",
+        "{1'b0, o_jr} + {1'b0, i_jv}",
+        "{1'b0, o_jr} - {1'b0, i_jv}",
+    ),
+    mutant(Engine::DdaLine, "integrator.v", "o_jr <= i_preset;", "o_jr <= {N{1'b0}};"),
+    mutant(Engine::DdaLine, "dda_line.v", "o_je <= o_je - 1'b1;", "o_je <= o_je - 2'd2;"),
+    mutant(
+        Engine::DdaLine4,
+        "dda_line.v",
+        "o_negative <= i_negative;",
+        "o_negative <= ~i_negative;",
+    ),
+    mutant(Engine::DdaLine4, "dda_line.v", "carry & {AXES{run}}", "carry & {AXES{i_en}}"),
+    mutant(
+        Engine::DdaArc,
+        "sweep.v",
+        "o_towards_is_y = o_quadrant[0]",
+        "o_towards_is_y = o_quadrant[1]",
+    ),
+    mutant(Engine::DdaArc, "sweep.v", "= ~o_quadrant[1] ^ o_cw", "= o_quadrant[1] ^ o_cw"),
+    mutant(Engine::DdaArc, "sweep.v", "~last & towards_gets_zero", "towards_gets_zero"),
+    mutant(Engine::DdaArc, "sweep.v", "| (o_x_stands & i_x_is_zero)", ""),
+    mutant(
+        Engine::DdaCentredArc,
+        "sweep.v",
+        "o_cw ? o_quadrant - 2'd1",
+        "o_cw ? o_quadrant + 2'd1",
+    ),
+    mutant(Engine::DdaCentredArc, "sweep.v", "o_crossings <= o_crossings - 3'd1;", ""),
+    mutant(Engine::DdaCentredArc, "sweep.v", "x_done | (o_jex[N+1] ^ o_nx)", "x_done"),
+    mutant(
+        Engine::DdaCentredArc,
+        "sweep.v",
+        "o_jey <= o_jey + count_y;",
+        "o_jey <= o_jey - count_y;",
+    ),
+    mutant(Engine::DdaArc, "dda_arc.v", "x_shrinks ? o_jvy - unit", "x_shrinks ? o_jvy + unit"),
+    mutant(Engine::DdaArc, "dda_arc.v", "accumulate & ~y_stands", "accumulate"),
+    mutant(Engine::DdaArc, "dda_arc.v", "unit  <= i_unit;", "unit  <= 1;"),
+    mutant(
+        Engine::DdaCentredArc,
+        "dda_centred_arc.v",
+        "(cw ? ~x_fresh + 1'b1 : x_fresh)",
+        "(cw ? ~x_wide + 1'b1 : x_wide)",
+    ),
+    mutant(
+        Engine::DdaCentredArc,
+        "dda_centred_arc.v",
+        "~stepping_out & ~x_stands) o_jrx",
+        "~stepping_out) o_jrx",
+    ),
+    mutant(
+        Engine::DdaCentredArc,
+        "dda_centred_arc.v",
+        "sx ? o_x - unit : o_x + unit",
+        "o_x + unit",
+    ),
+    mutant(Engine::PpcLine, "ppc_line.v", "~o_f[N] & ~x_done", "~o_f[N]"),
+    mutant(Engine::PpcLine, "ppc_line.v", "~{1'b0, o_end_y} + 1'b1", "~{1'b0, o_end_y}"),
+    mutant(Engine::PpcLine, "ppc_line.v", "larger_is_y ^ o_fx", "larger_is_y == o_fx"),
+    mutant(Engine::PpcArc, "ppc_arc.v", "~o_f[N+1] & ~towards_stands", "~o_f[N+1]"),
+    mutant(Engine::PpcArc, "ppc_arc.v", "o_f + twice) + 1'b1", "o_f + twice)"),
+    mutant(Engine::PpcArc, "ppc_arc.v", "both_stand ? o_jex != 0 :", ""),
+    mutant(Engine::PpcArc, "ppc_arc.v", "if (counts) o_e", "o_e"),
+    mutant(Engine::BrmLine, "brm_line.v", "N-1-stage", "stage"),
+    mutant(Engine::BrmLine, "brm_line.v", "o_tg      <= ~o_overflow;", "o_tg      <= 1'b1;"),
+];
+
+/// Runs every mutant until it is found out.
+///
+/// # Errors
+/// A mutant that stays hidden, or that does not fit the source any more.
+pub(super) fn run(rtl: &Path, build: &Path, bits: u32, clocks: u64) -> Result<(), String> {
+    let folder = build.join("mutant");
+    for mutant in MUTANTS {
+        let Mutant { engine, file, from, to } = mutant;
+        let name = format!("{file}: {from} -> {to}");
+        let _ = fs::remove_dir_all(&folder);
+        copy_with(rtl, &folder, mutant).map_err(|why| format!("{name}: {why}"))?;
+        let twin = Twin::build(&folder, &folder.join("build"), *engine, bits)?;
+        let found = Run::new(*engine, bits, twin, 1).clocks(clocks);
+        match found {
+            Ok(()) => return Err(format!("the co-simulation does not see the mutant {name}")),
+            Err(why) => println!("mutant {name}\n    found: {why}"),
+        }
+    }
+    println!("{} mutants, all found", MUTANTS.len());
+    Ok(())
+}
+
+fn copy_with(rtl: &Path, folder: &Path, mutant: &Mutant) -> Result<(), String> {
+    let text = |e: std::io::Error| e.to_string();
+    fs::create_dir_all(folder).map_err(text)?;
+    for entry in fs::read_dir(rtl).map_err(text)? {
+        let path = entry.map_err(text)?.path();
+        let Some(name) = path.file_name().filter(|_| path.extension().is_some_and(|e| e == "v"))
+        else {
+            continue;
+        };
+        let mut source = fs::read_to_string(&path).map_err(text)?;
+        if name == mutant.file {
+            if source.matches(mutant.from).count() != 1 {
+                return Err("does not stand once in the file".to_owned());
+            }
+            source = source.replace(mutant.from, mutant.to);
+        }
+        fs::write(folder.join(name), source).map_err(text)?;
+    }
+    Ok(())
+}
