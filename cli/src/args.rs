@@ -64,6 +64,12 @@ pub(crate) struct WaveArguments {
         allow_negative_numbers = true
     )]
     pub(crate) source_hz: u64,
+    /// The first clock that is traced
+    #[arg(long, value_name = "CLOCK", default_value_t = 0, global = true)]
+    pub(crate) from_clock: u64,
+    /// How many clocks are traced [default: all]
+    #[arg(long, value_name = "N", global = true)]
+    pub(crate) clocks: Option<u64>,
 }
 
 #[derive(Debug, Args)]
@@ -79,6 +85,12 @@ pub(crate) struct RunArguments {
     /// Write no waves (the hardware model still runs and is compared)
     #[arg(long)]
     pub(crate) no_waves: bool,
+    /// The first clock of the run that is traced
+    #[arg(long, value_name = "CLOCK", default_value_t = 0)]
+    pub(crate) from: u64,
+    /// How many clocks are traced [default: all]
+    #[arg(long, value_name = "N")]
+    pub(crate) clocks: Option<u64>,
     /// The pulse equivalent in millimetres
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     pub(crate) pulse_mm: Option<String>,

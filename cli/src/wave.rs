@@ -21,7 +21,8 @@ pub(crate) fn wave(arguments: &WaveArguments) -> Result<(), Failure> {
     let Some(path) = &arguments.output else {
         return Err(Failure::Usage("where to? add -o FILE.vcd or -o FILE.fst".into()));
     };
-    let recording = Recording { path, source_hz: arguments.source_hz };
+    let window = Window { from: arguments.from_clock, clocks: arguments.clocks };
+    let recording = Recording { path, source_hz: arguments.source_hz, window };
     with_machines(&arguments.curve.curve(), &method, options.bits, recording)
         .map_err(Refusal::usage)?
 }
@@ -29,6 +30,14 @@ pub(crate) fn wave(arguments: &WaveArguments) -> Result<(), Failure> {
 struct Recording<'a> {
     path: &'a Path,
     source_hz: u64,
+    window: Window,
+}
+
+/// The clocks that are traced.
+#[derive(Clone, Copy)]
+struct Window {
+    from: u64,
+    clocks: Option<u64>,
 }
 
 impl Visitor for Recording<'_> {
@@ -60,11 +69,13 @@ impl Visitor for Recording<'_> {
         match self.path.extension().and_then(|extension| extension.to_str()) {
             Some("vcd") => {
                 let wave = Vcd::new(file.writer()?, &list, clock.exponent()).map_err(failure)?;
-                record(Tracer::new(wave, &list), bench, first, circuit, clock).map_err(failure)?;
+                record(Tracer::new(wave, &list), bench, first, circuit, clock, self.window)
+                    .map_err(failure)?;
             }
             Some("fst") => {
                 let wave = Fst::new(file.writer()?, &list, clock.exponent()).map_err(failure)?;
-                record(Tracer::new(wave, &list), bench, first, circuit, clock).map_err(failure)?;
+                record(Tracer::new(wave, &list), bench, first, circuit, clock, self.window)
+                    .map_err(failure)?;
             }
             _ => {
                 return Err(Failure::Usage(format!(
@@ -74,7 +85,7 @@ impl Visitor for Recording<'_> {
             }
         }
         let layout = self.path.with_extension("gtkw");
-        let layout = write_whole(&layout, &gtkw(&file_name, &list))?;
+        let layout = write_whole(&layout, &gtkw(&file_name, &list, clock.viewer_period()))?;
         file.finish()?;
         layout.finish()
     }
@@ -86,9 +97,15 @@ fn record<W: Wave, C: Circuit<N>, const N: usize>(
     first: usize,
     mut circuit: C,
     clock: Clock,
+    window: Window,
 ) -> io::Result<()> {
     let mut k = 0;
-    while !circuit.done() {
+    while k < window.from && !circuit.done() {
+        bench.skip(&mut circuit);
+        k += 1;
+    }
+    let end = window.clocks.map_or(u64::MAX, |clocks| k.saturating_add(clocks));
+    while k < end && !circuit.done() {
         bench.clock(&mut tracer, first, &mut circuit, clock.rise(k), clock.fall(k));
         tracer.check()?;
         k += 1;

@@ -687,3 +687,25 @@ fn a_width_that_is_not_offered_is_a_wrong_command_line_without_waves_too() {
         assert!(errors.contains("--bits"), "{method}: {errors}");
     }
 }
+
+#[test]
+fn a_window_of_a_run_shows_the_same_clocks_as_the_whole() {
+    let folder = folder(&[("p.nc", "G00X5Y0\nG03X0Y5I-5J0F150\nG01X-9Y2\n")]);
+    for arguments in ["p.nc --out whole", "p.nc --out part --from 30 --clocks 40"] {
+        assert!(run(folder.path(), arguments).status.success());
+    }
+    let (whole, _) = read_wave(&folder.path().join("whole/waves.vcd"));
+    let (part, end) = read_wave(&folder.path().join("part/waves.vcd"));
+    let rises = |changes: &Changes| -> Vec<u64> {
+        changes["onepulse.clk"].iter().filter(|(_, v)| v == "1").map(|(at, _)| *at).collect()
+    };
+    assert_eq!(rises(&part), rises(&whole)[30..70]);
+    assert!(end < rises(&whole)[71]);
+    // Half of the arc's last step is the first thing seen of the line: from there on all agree.
+    for (name, changes) in &part {
+        for (at, value) in changes {
+            let last = whole[name].iter().rev().find(|(time, _)| time <= at).unwrap();
+            assert_eq!(*value, last.1, "{name} at {at}");
+        }
+    }
+}

@@ -252,3 +252,22 @@ fn wrong_command_lines_are_refused_and_write_nothing() {
         check_refused(arguments, 2, words);
     }
 }
+
+#[test]
+fn a_window_shows_the_same_clocks_as_the_whole() {
+    let folder = TempDir::new().unwrap();
+    let curve = "arc --from 13,0 --to 13,0 --ccw --method dda";
+    check_written(folder.path(), &format!("{curve} -o whole.vcd"));
+    check_written(folder.path(), &format!("{curve} --from-clock 40 --clocks 25 -o part.vcd"));
+    let whole = read(&folder.path().join("whole.vcd"));
+    let part = read(&folder.path().join("part.vcd"));
+    let rises: Vec<_> =
+        part["onepulse.clk"].iter().filter(|(_, value)| value == "1").map(|(at, _)| *at).collect();
+    // 1 MHz on an axis of 100 ns; the edge that ends the last clock is shown too.
+    assert_eq!(rises, (40..=65).map(|clock| 10 * clock).collect::<Vec<_>>());
+    for name in whole.keys() {
+        for rise in &rises {
+            assert_eq!(value_at(&part, name, *rise), value_at(&whole, name, *rise), "{name}");
+        }
+    }
+}

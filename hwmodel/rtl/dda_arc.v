@@ -25,6 +25,8 @@ module dda_arc #(
     output wire [1:0]   o_negative,
     output wire         o_done,
     // registers
+    output reg  [N-1:0] o_unit,
+    output wire         o_cw,
     output reg  [N-1:0] o_jvx,
     output reg  [N-1:0] o_jvy,
     output wire [N-1:0] o_jrx,
@@ -34,7 +36,6 @@ module dda_arc #(
     output wire [N+1:0] o_jex,
     output wire [N+1:0] o_jey
 );
-    reg  [N-1:0] unit;
     wire         towards_is_y, nx, ny, x_stands, y_stands, stepping_out, carry_x, carry_y;
     wire         run = i_en & ~o_done;
 
@@ -50,8 +51,8 @@ module dda_arc #(
     // The coordinate that is fed towards zero shrinks, the other grows; stepping out may go back.
     wire         x_shrinks = ~towards_is_y ^ (sx ^ nx);
     wire         y_shrinks = towards_is_y ^ (sy ^ ny);
-    wire [N-1:0] jvy_next  = px ? (x_shrinks ? o_jvy - unit : o_jvy + unit) : o_jvy;
-    wire [N-1:0] jvx_next  = py ? (y_shrinks ? o_jvx - unit : o_jvx + unit) : o_jvx;
+    wire [N-1:0] jvy_next  = px ? (x_shrinks ? o_jvy - o_unit : o_jvy + o_unit) : o_jvy;
+    wire [N-1:0] jvx_next  = py ? (y_shrinks ? o_jvx - o_unit : o_jvx + o_unit) : o_jvx;
 
     wire accumulate = run & ~stepping_out;
 
@@ -77,7 +78,6 @@ module dda_arc #(
         .o_jr    (o_jry)
     );
 
-    /* verilator lint_off PINCONNECTEMPTY */ // the sense is for the sweep alone
     sweep #(.N(N)) sweep (
         .i_clk         (i_clk),
         .i_rst         (i_rst),
@@ -105,19 +105,18 @@ module dda_arc #(
         .o_done        (o_done),
         .o_quadrant    (o_quadrant),
         .o_crossings   (o_crossings),
-        .o_cw          (),
+        .o_cw          (o_cw),
         .o_jex         (o_jex),
         .o_jey         (o_jey)
     );
-    /* verilator lint_on PINCONNECTEMPTY */
 
     always @(posedge i_clk)
         if (i_rst) begin
-            unit  <= {N{1'b0}};
+            o_unit <= {N{1'b0}};
             o_jvx <= {N{1'b0}};
             o_jvy <= {N{1'b0}};
         end else if (i_load) begin
-            unit  <= i_unit;
+            o_unit <= i_unit;
             o_jvx <= i_jvx;
             o_jvy <= i_jvy;
         end else begin

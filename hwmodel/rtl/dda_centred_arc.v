@@ -30,6 +30,8 @@ module dda_centred_arc #(
     output wire [1:0]   o_negative,
     output wire         o_done,
     // registers
+    output reg  [N-1:0] o_unit,
+    output wire         o_cw,
     output reg  [N-1:0] o_x,
     output reg  [N-1:0] o_y,
     output reg  [N-1:0] o_jrx,
@@ -39,27 +41,26 @@ module dda_centred_arc #(
     output wire [N+1:0] o_jex,
     output wire [N+1:0] o_jey
 );
-    reg  [N-1:0] unit;
-    wire         cw, x_stands, y_stands, stepping_out;
+    wire         x_stands, y_stands, stepping_out;
     wire         run = i_en & ~o_done;
 
     // A remainder is unsigned, a coordinate signed: in N + 2 bits the sum's two top bits are 00
     // (no pulse), 01 (carry) or 11 (borrow).
     wire [N+1:0] x_wide  = {{2{o_x[N-1]}}, o_x};
     wire [N+1:0] y_wide  = {{2{o_y[N-1]}}, o_y};
-    wire [N+1:0] sum_x   = {2'b00, o_jrx} + (cw ? y_wide : ~y_wide + 1'b1);
+    wire [N+1:0] sum_x   = {2'b00, o_jrx} + (o_cw ? y_wide : ~y_wide + 1'b1);
     wire         carry_x = sum_x[N];
     wire         px      = run & (stepping_out ? o_jex != 0 : carry_x & ~x_stands);
     wire         sx      = stepping_out ? o_jex[N+1] : sum_x[N+1];
-    wire [N-1:0] x_next  = px ? (sx ? o_x - unit : o_x + unit) : o_x;
+    wire [N-1:0] x_next  = px ? (sx ? o_x - o_unit : o_x + o_unit) : o_x;
 
     // Staggered: what y adds has x's pulse of this clock.
-    wire [N+1:0] x_fresh = px ? (sx ? x_wide - {2'b00, unit} : x_wide + {2'b00, unit}) : x_wide;
-    wire [N+1:0] sum_y   = {2'b00, o_jry} + (cw ? ~x_fresh + 1'b1 : x_fresh);
+    wire [N+1:0] x_fresh = px ? (sx ? x_wide - {2'b00, o_unit} : x_wide + {2'b00, o_unit}) : x_wide;
+    wire [N+1:0] sum_y   = {2'b00, o_jry} + (o_cw ? ~x_fresh + 1'b1 : x_fresh);
     wire         carry_y = sum_y[N];
     wire         py      = run & (stepping_out ? o_jey != 0 : carry_y & ~y_stands);
     wire         sy      = stepping_out ? o_jey[N+1] : sum_y[N+1];
-    wire [N-1:0] y_next  = py ? (sy ? o_y - unit : o_y + unit) : o_y;
+    wire [N-1:0] y_next  = py ? (sy ? o_y - o_unit : o_y + o_unit) : o_y;
 
     assign o_pulse    = {py, px};
     assign o_negative = {sy, sx};
@@ -92,7 +93,7 @@ module dda_centred_arc #(
         .o_done        (o_done),
         .o_quadrant    (o_quadrant),
         .o_crossings   (o_crossings),
-        .o_cw          (cw),
+        .o_cw          (o_cw),
         .o_jex         (o_jex),
         .o_jey         (o_jey)
     );
@@ -100,13 +101,13 @@ module dda_centred_arc #(
 
     always @(posedge i_clk)
         if (i_rst) begin
-            unit  <= {N{1'b0}};
+            o_unit <= {N{1'b0}};
             o_x   <= {N{1'b0}};
             o_y   <= {N{1'b0}};
             o_jrx <= {N{1'b0}};
             o_jry <= {N{1'b0}};
         end else if (i_load) begin
-            unit  <= i_unit;
+            o_unit <= i_unit;
             o_x   <= i_x;
             o_y   <= i_y;
             o_jrx <= i_jrx;

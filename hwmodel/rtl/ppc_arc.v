@@ -31,6 +31,8 @@ module ppc_arc #(
     output wire [1:0]   o_negative,
     output wire         o_done,
     // registers
+    output reg  [1:0]   o_rule,
+    output reg          o_larger_is_y,
     output reg  [1:0]   o_beat,
     output reg          o_fx,
     output reg  [N+1:0] o_f,
@@ -45,14 +47,12 @@ module ppc_arc #(
     localparam JUDGE = 2'd0, FEED = 2'd1, UPDATE = 2'd2, COMPARE = 2'd3;
     localparam TOTAL = 2'd0, PER_AXIS = 2'd1;
 
-    reg  [1:0] rule;
-    reg        larger_is_y;
     // The direction of the due pulse.
     reg        negative;
 
     wire towards_is_y, nx, ny, x_stands, y_stands, sweep_done;
-    wire counted_out = rule == PER_AXIS ? sweep_done : o_e == 0;
-    wire counts      = rule == TOTAL | (rule != PER_AXIS & (larger_is_y ^ o_fx));
+    wire counted_out = o_rule == PER_AXIS ? sweep_done : o_e == 0;
+    wire counts      = o_rule == TOTAL | (o_rule != PER_AXIS & (o_larger_is_y ^ o_fx));
     wire run         = i_en & ~o_done;
 
     assign o_done     = o_beat == JUDGE & counted_out;
@@ -119,8 +119,8 @@ module ppc_arc #(
             o_cx        <= {N{1'b0}};
             o_cy        <= {N{1'b0}};
             o_e         <= {(N+4){1'b0}};
-            rule        <= TOTAL;
-            larger_is_y <= 1'b0;
+            o_rule        <= TOTAL;
+            o_larger_is_y <= 1'b0;
             negative    <= 1'b0;
         end else if (i_load) begin
             o_beat      <= JUDGE;
@@ -129,8 +129,8 @@ module ppc_arc #(
             o_cx        <= i_cx;
             o_cy        <= i_cy;
             o_e         <= i_e;
-            rule        <= i_rule;
-            larger_is_y <= i_larger_is_y;
+            o_rule        <= i_rule;
+            o_larger_is_y <= i_larger_is_y;
             negative    <= 1'b0;
         end else if (run) begin
             o_beat <= o_beat + 2'd1;

@@ -26,6 +26,8 @@ module ppc_line #(
     output reg  [1:0]   o_negative,
     output wire         o_done,
     // registers
+    output reg  [1:0]   o_rule,
+    output reg          o_larger_is_y,
     output reg  [1:0]   o_beat,
     output reg          o_fx,
     output reg  [N:0]   o_f,
@@ -38,12 +40,10 @@ module ppc_line #(
     localparam JUDGE = 2'd0, FEED = 2'd1, UPDATE = 2'd2, COMPARE = 2'd3;
     localparam TOTAL = 2'd0, PER_AXIS = 2'd1;
 
-    reg  [1:0] rule;
-    reg        larger_is_y;
     wire       x_done = o_jex == 0;
     wire       y_done = o_jey == 0;
-    wire       counted_out = rule == PER_AXIS ? x_done & y_done : o_e == 0;
-    wire       counts = rule == TOTAL | (rule != PER_AXIS & (larger_is_y ^ o_fx));
+    wire       counted_out = o_rule == PER_AXIS ? x_done & y_done : o_e == 0;
+    wire       counts = o_rule == TOTAL | (o_rule != PER_AXIS & (o_larger_is_y ^ o_fx));
     wire       run = i_en & ~o_done;
     wire [N:0] change = o_fx ? ~{1'b0, o_end_y} + 1'b1 : {1'b0, o_end_x};
 
@@ -61,8 +61,8 @@ module ppc_line #(
             o_jey       <= {N{1'b0}};
             o_e         <= {(N+1){1'b0}};
             o_negative  <= 2'b00;
-            rule        <= TOTAL;
-            larger_is_y <= 1'b0;
+            o_rule        <= TOTAL;
+            o_larger_is_y <= 1'b0;
         end else if (i_load) begin
             o_beat      <= JUDGE;
             o_fx        <= 1'b1;
@@ -73,8 +73,8 @@ module ppc_line #(
             o_jey       <= i_end_y;
             o_e         <= i_e;
             o_negative  <= i_negative;
-            rule        <= i_rule;
-            larger_is_y <= i_larger_is_y;
+            o_rule        <= i_rule;
+            o_larger_is_y <= i_larger_is_y;
         end else if (run) begin
             o_beat <= o_beat + 2'd1;
             case (o_beat)

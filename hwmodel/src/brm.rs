@@ -69,6 +69,16 @@ impl<const AXES: usize> Line<AXES> {
         Wires { stages, overflow: tg && rising >> self.bits == 1, train }
     }
 
+    /// The pulses with the directions of the sign flip-flops.
+    #[inline]
+    fn signed(&self, wires: &Wires<AXES>) -> Pulse<AXES> {
+        Pulse(core::array::from_fn(|axis| match (wires.train[axis], self.negative[axis]) {
+            (false, _) => 0,
+            (true, false) => 1,
+            (true, true) => -1,
+        }))
+    }
+
     fn next(&self, wires: &Wires<AXES>) -> Registers {
         let Registers { divider, tg } = self.registers;
         Registers {
@@ -83,20 +93,18 @@ impl<const AXES: usize> Circuit<AXES> for Line<AXES> {
     const NAME: &'static str = "brm_line";
 
     fn pulses(&self) -> Pulse<AXES> {
-        let train = self.wires().train;
-        Pulse(core::array::from_fn(|axis| match (train[axis], self.negative[axis]) {
-            (false, _) => 0,
-            (true, false) => 1,
-            (true, true) => -1,
-        }))
+        self.signed(&self.wires())
     }
 
     fn done(&self) -> bool {
         !self.registers.tg
     }
 
-    fn clock(&mut self) {
-        self.registers = self.next(&self.wires());
+    #[inline]
+    fn clock(&mut self) -> Pulse<AXES> {
+        let wires = self.wires();
+        self.registers = self.next(&wires);
+        self.signed(&wires)
     }
 
     fn probe(&self, probe: &mut impl Probe) {

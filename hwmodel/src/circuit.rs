@@ -17,8 +17,9 @@ pub trait Circuit<const AXES: usize = 2> {
     /// The done wire: the end counters stand, and clock edges change nothing any more.
     fn done(&self) -> bool;
 
-    /// A clock edge: every register takes its next content at once.
-    fn clock(&mut self);
+    /// A clock edge: every register takes its next content at once. Returns the pulses of the
+    /// clock that it ends.
+    fn clock(&mut self) -> Pulse<AXES>;
 
     /// Shows every register and every wire worth seeing, in one fixed order.
     fn probe(&self, probe: &mut impl Probe);
@@ -47,11 +48,10 @@ impl<C: Circuit<AXES>, const AXES: usize> Iterator for Cycles<C, AXES> {
         }
         let mut cycle = Pulse::NONE;
         for _ in 0..C::CLOCKS_PER_CYCLE {
-            let pulses = self.circuit.pulses();
+            let pulses = self.circuit.clock();
             for axis in 0..AXES {
                 cycle.0[axis] += pulses.0[axis];
             }
-            self.circuit.clock();
         }
         Some(cycle)
     }

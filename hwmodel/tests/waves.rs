@@ -239,7 +239,7 @@ fn the_layout_names_every_signal_of_the_wave() {
     let mut list = SignalList::new();
     Bench::declare(&mut list, &[0; 2]);
     list.add_circuit(&circuit);
-    let layout = gtkw("wave.vcd", &list);
+    let layout = gtkw("wave.vcd", &list, 10.0);
     let shown: Vec<_> = layout.lines().filter(|line| line.starts_with("onepulse.")).collect();
     assert_eq!(shown.len(), list.signals().len());
     assert!(shown.contains(&"onepulse.ppc_line.f[3:0]"), "{layout}");

@@ -19,5 +19,6 @@ pub mod dda_line;
 mod lattice;
 pub mod ppc_arc;
 pub mod ppc_line;
+pub mod rtl_formal;
 
 pub use lattice::circles;

@@ -1,7 +1,7 @@
 //! The checks that are programs of their own.
 
 use clap::{Parser, Subcommand};
-use onepulse_verify::cosim;
+use onepulse_verify::{cosim, rtl_formal};
 use std::process::ExitCode;
 
 #[derive(Parser)]
@@ -15,11 +15,16 @@ struct Arguments {
 enum Check {
     /// The circuits against their Verilog twins, every register on every clock (needs Verilator)
     Cosim(cosim::Options),
+    /// The properties of the Verilog twins, by induction (needs Yosys and Yices)
+    RtlFormal(rtl_formal::Options),
 }
 
 fn main() -> ExitCode {
-    let Check::Cosim(options) = Arguments::parse().check;
-    match cosim::run(&options) {
+    let done = match Arguments::parse().check {
+        Check::Cosim(options) => cosim::run(&options),
+        Check::RtlFormal(options) => rtl_formal::run(&options),
+    };
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(why) => {
             eprintln!("error: {why}");

@@ -14,6 +14,7 @@ use onepulse_hwmodel::{self as hw, Circuit};
 use onepulse_plan::Motion;
 use std::fs::File;
 use std::io::{BufWriter, Write};
+use std::ops::Range;
 
 /// The files of a run.
 #[derive(Debug)]
@@ -35,8 +36,14 @@ struct Waves {
     list: SignalList,
     bench: Bench,
     line: usize,
+    program_line: u32,
+    /// The end of what was traced.
+    traced_until: u64,
     /// The first signal of each circuit, by its name.
     circuits: Vec<(&'static str, usize)>,
+    /// Clocks of the run so far, and those that are traced.
+    run_clocks: u64,
+    window: Range<u64>,
     /// When the block began.
     start: u64,
     clocks: u64,
@@ -64,7 +71,11 @@ impl Outputs {
         let picture = Picture::begin(folder.create("path.svg")?)?;
         let waves = match arguments.no_waves {
             true => None,
-            false => Some(Waves::begin(folder.create("waves.vcd")?, config, method)?),
+            false => {
+                let RunArguments { from, clocks, .. } = *arguments;
+                let window = (from, clocks.map_or(u64::MAX, |clocks| from.saturating_add(clocks)));
+                Some(Waves::begin(folder.create("waves.vcd")?, config, method, window)?)
+            }
         };
         let program = arguments.program.display().to_string();
         let report = Report::begin(folder.create("report.json")?, &program, config, method)?;
@@ -85,8 +96,7 @@ impl Outputs {
             waves.clocks_per_second = cycles_per_second * C::CLOCKS_PER_CYCLE as f64;
             let known = waves.circuits.iter().find(|(name, _)| *name == C::NAME);
             waves.first = known.map_or(0, |(_, first)| *first);
-            waves.tracer.at(waves.start);
-            waves.tracer.set(waves.line, u64::from(motion.line));
+            waves.program_line = motion.line;
         }
         Ok(())
     }
@@ -95,11 +105,7 @@ impl Outputs {
     pub(super) fn clock<C: Circuit<N>, const N: usize>(&mut self, circuit: &mut C) -> Pulse<N> {
         match &mut self.waves {
             Some(waves) => waves.clock(circuit),
-            None => {
-                let pulses = circuit.pulses();
-                circuit.clock();
-                pulses
-            }
+            None => circuit.clock(),
         }
     }
 
@@ -128,7 +134,10 @@ impl Outputs {
             let end = waves.start + (seconds * TICKS_PER_SECOND) as u64;
             waves.start = end.max(waves.edge(2 * waves.clocks));
             let (first, start) = (waves.first, waves.start);
-            waves.bench.sample(&mut waves.tracer, first, circuit, start);
+            if waves.window.contains(&waves.run_clocks) {
+                waves.traced_until = start;
+                waves.bench.sample(&mut waves.tracer, first, circuit, start);
+            }
             waves.tracer.check().map_err(|error| waves.file.failure(&error))?;
         }
         self.picture.end_block()
@@ -139,10 +148,11 @@ impl Outputs {
         self.pulses.flush().map_err(|error| self.pulses_file.failure(&error))?;
         let mut files = vec![self.pulses_file, self.picture.finish()?];
         if let Some(waves) = self.waves {
-            let Waves { tracer, file, list, start, .. } = waves;
-            tracer.finish(start + 1).map_err(|error| file.failure(&error))?;
+            let Waves { tracer, file, list, traced_until, clocks_per_second, .. } = waves;
+            let period = TICKS_PER_SECOND / clocks_per_second;
+            tracer.finish(traced_until + 1).map_err(|error| file.failure(&error))?;
             let layout = self.folder.path().join("waves.gtkw");
-            files.push(write_whole(&layout, &gtkw("waves.vcd", &list))?);
+            files.push(write_whole(&layout, &gtkw("waves.vcd", &list, period))?);
             files.push(file);
         }
         files.push(self.report.finish(summary, config)?);
@@ -151,7 +161,12 @@ impl Outputs {
 }
 
 impl Waves {
-    fn begin(file: OutputFile, config: &Config, method: &Method) -> Result<Self, Failure> {
+    fn begin(
+        file: OutputFile,
+        config: &Config,
+        method: &Method,
+        window: (u64, u64),
+    ) -> Result<Self, Failure> {
         let mut list = SignalList::new();
         let bench = Bench::declare(&mut list, &[0, 0]);
         let line = list.add("program_line", Kind::Unsigned(32));
@@ -165,7 +180,11 @@ impl Waves {
             list,
             bench,
             line,
+            program_line: 0,
+            traced_until: 0,
             circuits,
+            run_clocks: 0,
+            window: window.0..window.1,
             start: 0,
             clocks: 0,
             clocks_per_second: 1.0,
@@ -182,8 +201,17 @@ impl Waves {
 
     fn clock<C: Circuit<N>, const N: usize>(&mut self, circuit: &mut C) -> Pulse<N> {
         let (rise, fall) = (self.edge(2 * self.clocks), self.edge(2 * self.clocks + 1));
+        let is_traced = self.window.contains(&self.run_clocks);
         self.clocks += 1;
-        self.bench.clock(&mut self.tracer, self.first, circuit, rise, fall)
+        self.run_clocks += 1;
+        if is_traced {
+            self.traced_until = fall;
+            self.tracer.at(rise);
+            self.tracer.set(self.line, u64::from(self.program_line));
+            self.bench.clock(&mut self.tracer, self.first, circuit, rise, fall)
+        } else {
+            self.bench.skip(circuit)
+        }
     }
 }
 

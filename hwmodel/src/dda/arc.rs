@@ -137,8 +137,11 @@ impl Circuit for Arc {
         self.registers.sweep.done()
     }
 
-    fn clock(&mut self) {
-        self.registers = self.next(&self.wires());
+    #[inline]
+    fn clock(&mut self) -> Pulse {
+        let wires = self.wires();
+        self.registers = self.next(&wires);
+        wires.pulse
     }
 
     fn probe(&self, probe: &mut impl Probe) {
@@ -150,7 +153,7 @@ impl Circuit for Arc {
         }
         for axis in 0..2 {
             probe.axis_signal("jv", axis, Kind::Unsigned(self.bits), q.jv[axis]);
-            probe.axis_signal("jr", axis, Kind::Unsigned(self.bits), q.jr[axis]);
+            probe.axis_signal("jr", axis, Kind::Ramp(self.bits), q.jr[axis]);
         }
         q.sweep.probe(probe);
     }

@@ -118,15 +118,18 @@ impl Circuit for CentredArc {
         self.registers.sweep.done()
     }
 
-    fn clock(&mut self) {
-        self.registers = self.next(&self.wires());
+    #[inline]
+    fn clock(&mut self) -> Pulse {
+        let wires = self.wires();
+        self.registers = self.next(&wires);
+        wires.pulse
     }
 
     fn probe(&self, probe: &mut impl Probe) {
         let q = &self.registers;
         for axis in 0..2 {
             probe.axis_signal("", axis, Kind::Signed(self.bits), q.j[axis] as u64);
-            probe.axis_signal("jr", axis, Kind::Unsigned(self.bits), q.jr[axis]);
+            probe.axis_signal("jr", axis, Kind::Ramp(self.bits), q.jr[axis]);
         }
         q.sweep.probe(probe);
     }

@@ -72,6 +72,16 @@ impl<const AXES: usize> Line<AXES> {
         Wires { sum, carry: sum.map(|sum| !done && sum >> self.bits == 1), done }
     }
 
+    /// The pulses with the directions of the sign flip-flops.
+    #[inline]
+    fn signed(&self, wires: &Wires<AXES>) -> Pulse<AXES> {
+        Pulse(core::array::from_fn(|axis| match (wires.carry[axis], self.negative[axis]) {
+            (false, _) => 0,
+            (true, false) => 1,
+            (true, true) => -1,
+        }))
+    }
+
     fn next(&self, wires: &Wires<AXES>) -> Registers<AXES> {
         if wires.done {
             return self.registers;
@@ -89,20 +99,18 @@ impl<const AXES: usize> Circuit<AXES> for Line<AXES> {
     const NAME: &'static str = "dda_line";
 
     fn pulses(&self) -> Pulse<AXES> {
-        let carry = self.wires().carry;
-        Pulse(core::array::from_fn(|axis| match (carry[axis], self.negative[axis]) {
-            (false, _) => 0,
-            (true, false) => 1,
-            (true, true) => -1,
-        }))
+        self.signed(&self.wires())
     }
 
     fn done(&self) -> bool {
         self.wires().done
     }
 
-    fn clock(&mut self) {
-        self.registers = self.next(&self.wires());
+    #[inline]
+    fn clock(&mut self) -> Pulse<AXES> {
+        let wires = self.wires();
+        self.registers = self.next(&wires);
+        self.signed(&wires)
     }
 
     fn probe(&self, probe: &mut impl Probe) {
@@ -113,7 +121,7 @@ impl<const AXES: usize> Circuit<AXES> for Line<AXES> {
         }
         for axis in 0..AXES {
             probe.axis_signal("jv", axis, Kind::Unsigned(self.bits), q.jv[axis]);
-            probe.axis_signal("jr", axis, Kind::Unsigned(self.bits), q.jr[axis]);
+            probe.axis_signal("jr", axis, Kind::Ramp(self.bits), q.jr[axis]);
         }
         probe.signal("je", Kind::Unsigned(self.bits + 1), q.je);
     }

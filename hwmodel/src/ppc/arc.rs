@@ -144,8 +144,11 @@ impl Circuit for Arc {
         q.beat == Beat::Judge && q.end.done(q.sweep.done())
     }
 
-    fn clock(&mut self) {
+    #[inline]
+    fn clock(&mut self) -> Pulse {
+        let pulses = self.pulses();
         self.registers = self.next();
+        pulses
     }
 
     fn probe(&self, probe: &mut impl Probe) {

@@ -105,8 +105,11 @@ impl Circuit for Line {
         q.beat == Beat::Judge && q.end.done(q.je == [0, 0])
     }
 
-    fn clock(&mut self) {
+    #[inline]
+    fn clock(&mut self) -> Pulse {
+        let pulses = self.pulses();
         self.registers = self.next();
+        pulses
     }
 
     fn probe(&self, probe: &mut impl Probe) {

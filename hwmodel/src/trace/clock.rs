@@ -35,6 +35,13 @@ impl Clock {
         -(self.digits as i8)
     }
 
+    /// A clock period as GTKWave counts it: in the next of s, ms, µs, ns, ps that is not coarser
+    /// than the unit of the time axis.
+    #[must_use]
+    pub fn viewer_period(self) -> f64 {
+        10_f64.powi(self.digits.div_ceil(3) as i32 * 3) / self.hertz as f64
+    }
+
     /// When the clock rises for the `k`-th time, from 0.
     #[must_use]
     pub fn rise(self, k: u64) -> u64 {

@@ -96,7 +96,7 @@ impl<W: Write + Seek> Wave for Fst<W> {
         let digits = &mut self.digits;
         digits.clear();
         match kind {
-            Kind::Bit | Kind::Unsigned(_) | Kind::Signed(_) => {
+            Kind::Bit | Kind::Unsigned(_) | Kind::Ramp(_) | Kind::Signed(_) => {
                 push_bits(digits, value, kind.bits());
             }
             Kind::Word(words) => {

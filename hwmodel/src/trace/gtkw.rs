@@ -11,15 +11,29 @@ mod flag {
     pub(super) const BLANK: u32 = 0x200;
     pub(super) const SIGNED: u32 = 0x420;
     pub(super) const ASCII: u32 = 0x820;
+    /// A curve of steps, in decimal.
+    pub(super) const CURVE: u32 = 0x8024;
+    /// A line that gives its room to the curve above.
+    pub(super) const CURVE_ROOM: u32 = 0x20000;
 }
 
-/// The save file for a wave file of these signals, which lies beside it under `wave_file`.
+/// Clock periods that are seen when the file is opened, in a window of some 500 pixels.
+const PERIODS: f64 = 14.0;
+const PIXELS: f64 = 500.0;
+
+/// GTKWave's zoom is a power of two: so many units of time in this many pixels.
+const FRAME: f64 = 200.0;
+
+/// The save file for a wave file of these signals, which lies beside it under `wave_file`; its
+/// clock has a period of `period` (see [`Clock::viewer_period`](super::Clock::viewer_period)).
 ///
-/// Every scope is a group with its name as heading; states read as words, numbers in decimal.
+/// Every scope is a group with its name as heading, the pulses in the first; states read as words,
+/// numbers in decimal, and remainders are drawn as curves.
 #[must_use]
-pub fn gtkw(wave_file: &str, list: &SignalList) -> String {
+pub fn gtkw(wave_file: &str, list: &SignalList, period: f64) -> String {
     let is_fst = wave_file.ends_with(".fst");
-    let mut text = format!("[dumpfile] \"{wave_file}\"\n[timestart] 0\n");
+    let zoom = (period * PERIODS / PIXELS * FRAME).log2();
+    let mut text = format!("[dumpfile] \"{wave_file}\"\n[timestart] 0\n*{:.6} -1\n", -zoom);
     let mut shown = 0;
     let mut scope = None;
     for signal in list.signals() {
@@ -29,13 +43,15 @@ pub fn gtkw(wave_file: &str, list: &SignalList) -> String {
             let _ = writeln!(text, "@{:x}\n-{heading}", flag::BLANK);
             shown = flag::BLANK;
         }
+        let range = |bits: u32| format!("[{}:0]", bits - 1);
         let (flags, range) = match signal.kind {
             Kind::Bit => (flag::BINARY, String::new()),
-            Kind::Unsigned(bits) => (flag::DECIMAL, format!("[{}:0]", bits - 1)),
-            Kind::Signed(bits) => (flag::SIGNED, format!("[{}:0]", bits - 1)),
+            Kind::Unsigned(bits) => (flag::DECIMAL, range(bits)),
+            Kind::Ramp(bits) => (flag::CURVE, range(bits)),
+            Kind::Signed(bits) => (flag::SIGNED, range(bits)),
             Kind::Word(words) if is_fst => {
                 let longest = words.iter().map(|word| word.len()).max().unwrap_or(1);
-                (flag::ASCII, format!("[{}:0]", 8 * longest - 1))
+                (flag::ASCII, range(8 * longest as u32))
             }
             Kind::Word(_) => (flag::HEXADECIMAL, String::new()),
         };
@@ -44,7 +60,12 @@ pub fn gtkw(wave_file: &str, list: &SignalList) -> String {
             shown = flags;
         }
         let dot = if signal.scope.is_empty() { "" } else { "." };
-        let _ = writeln!(text, "{}.{}{dot}{}{range}", SignalList::TOP, signal.scope, signal.name);
+        let (top, scope, name) = (SignalList::TOP, signal.scope, &signal.name);
+        let _ = writeln!(text, "{top}.{scope}{dot}{name}{range}");
+        if flags == flag::CURVE {
+            let _ = writeln!(text, "@{:x}\n-\n-", flag::CURVE_ROOM);
+            shown = flag::CURVE_ROOM;
+        }
     }
     text
 }

@@ -12,6 +12,9 @@ pub enum Kind {
     Bit,
     /// An unsigned number of so many bits.
     Unsigned(u32),
+    /// An unsigned number of so many bits that runs up and down its range: a remainder register,
+    /// which a viewer shows as a curve.
+    Ramp(u32),
     /// A two's complement number of so many bits.
     Signed(u32),
     /// A state, shown as a word: the value is the place in this list.
@@ -101,7 +104,7 @@ impl Kind {
     pub const fn bits(self) -> u32 {
         match self {
             Self::Bit | Self::Word(_) => 1,
-            Self::Unsigned(bits) | Self::Signed(bits) => bits,
+            Self::Unsigned(bits) | Self::Ramp(bits) | Self::Signed(bits) => bits,
         }
     }
 }

@@ -47,7 +47,7 @@ impl<W: Write> Vcd<W> {
             let (var_type, range) = match signal.kind {
                 Kind::Bit => (vcd::VarType::Wire, None),
                 Kind::Word(_) => (vcd::VarType::String, None),
-                Kind::Unsigned(_) | Kind::Signed(_) => {
+                Kind::Unsigned(_) | Kind::Ramp(_) | Kind::Signed(_) => {
                     (vcd::VarType::Reg, Some(vcd::ReferenceIndex::Range(bits as i32 - 1, 0)))
                 }
             };
@@ -83,7 +83,7 @@ impl<W: Write> Wave for Vcd<W> {
         line.clear();
         match *kind {
             Kind::Bit => line.push(b'0' + (value & 1) as u8),
-            Kind::Unsigned(bits) | Kind::Signed(bits) => {
+            Kind::Unsigned(bits) | Kind::Ramp(bits) | Kind::Signed(bits) => {
                 line.push(b'b');
                 // Leading zeros may be left out.
                 let bits = bits.min(64 - (value & low_bits(bits)).leading_zeros()).max(1);

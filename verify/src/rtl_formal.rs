@@ -1,0 +1,202 @@
+//! Formal checks of the Verilog twins: the asserts of `hwmodel/rtl/formal/*_props.v`, for every
+//! command and every pattern of the pulse source, from reset (bounded) and by induction.
+
+use clap::Args;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::Mutex;
+use std::time::Instant;
+
+/// What to check.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Only this module, for example dda_line
+    #[arg(long)]
+    module: Option<String>,
+    /// Instead, change the Verilog in small ways and demand a counterexample for each change
+    #[arg(long)]
+    mutants: bool,
+    /// The folder of the Verilog files
+    #[arg(long, default_value = concat!(env!("CARGO_MANIFEST_DIR"), "/../hwmodel/rtl"))]
+    rtl: PathBuf,
+    /// The folder for what the tools leave
+    #[arg(long, default_value = concat!(env!("CARGO_MANIFEST_DIR"), "/../target/rtl-formal"))]
+    build: PathBuf,
+}
+
+/// The modules with properties.
+const MODULES: [&str; 5] = ["dda_line", "dda_arc", "dda_centred_arc", "ppc_line", "brm_line"];
+
+/// The register widths that are checked; the properties say nothing of the width.
+const WIDTHS: [u32; 3] = [8, 24, 32];
+
+/// Steps from reset, and steps of the induction. One step of induction is all that an invariant
+/// needs; the rest finds shorter counterexamples.
+const DEPTH: u32 = 6;
+
+/// Mutants: module, file, what stands there, what is put there.
+const MUTANTS: [(&str, &str, &str, &str); 10] = [
+    (
+        "dda_line",
+        "integrator.v",
+        "{1'b0, o_jr} + {1'b0, i_jv};",
+        "{1'b0, o_jr} + {1'b0, i_jv} + 1'b1;",
+    ),
+    ("dda_line", "integrator.v", "o_carry = sum[N]", "o_carry = sum[N-1]"),
+    ("dda_line", "dda_line.v", "run = i_en & ~o_done", "run = i_en"),
+    ("dda_arc", "dda_arc.v", "carry_x & ~x_stands", "carry_x"),
+    ("dda_arc", "sweep.v", "o_jey <= o_jey + count_y;", "o_jey <= o_jey;"),
+    ("dda_centred_arc", "dda_centred_arc.v", "{2'b00, o_jry}", "{2'b00, o_jrx}"),
+    (
+        "dda_centred_arc",
+        "dda_centred_arc.v",
+        "stepping_out ? o_jex[N+1] : sum_x[N+1]",
+        "sum_x[N+1]",
+    ),
+    ("ppc_line", "ppc_line.v", "(~o_f[N] & ~x_done) | y_done", "~o_f[N]"),
+    ("ppc_line", "ppc_line.v", "o_f <= o_f + change;", "o_f <= o_f - change;"),
+    ("brm_line", "brm_line.v", "next & ~{1'b0, o_divider}", "next"),
+];
+
+/// Runs the checks that are asked for.
+///
+/// # Errors
+/// A tool that cannot run, an assert that fails (with the file and line), or a mutant without a
+/// counterexample.
+pub fn run(options: &Options) -> Result<(), String> {
+    if options.mutants {
+        return mutants(options);
+    }
+    let modules = MODULES.iter().filter(|m| options.module.as_ref().is_none_or(|o| o == *m));
+    let jobs: Vec<_> = modules.flat_map(|module| WIDTHS.map(|bits| (*module, bits))).collect();
+    if jobs.is_empty() {
+        return Err("there are no properties of that module".to_owned());
+    }
+    in_parallel(&jobs, |&(module, bits)| {
+        let begun = Instant::now();
+        let folder = options.build.join(format!("{module}_{bits}"));
+        match check(&options.rtl, &folder, module, bits)? {
+            None => {
+                let seconds = begun.elapsed().as_secs_f64();
+                println!("{module:16} {bits:2} bits: holds, by induction, {seconds:.1} s");
+                Ok(())
+            }
+            Some(failed) => Err(format!("{module} of {bits} bits: {failed}")),
+        }
+    })
+}
+
+fn mutants(options: &Options) -> Result<(), String> {
+    let jobs: Vec<_> = MUTANTS.iter().enumerate().collect();
+    in_parallel(&jobs, |(number, (module, file, from, to))| {
+        let name = format!("{file}: {from} -> {to}");
+        let folder = options.build.join(format!("mutant_{number}"));
+        let text = |e: std::io::Error| format!("{name}: {e}");
+        fs::create_dir_all(folder.join("formal")).map_err(text)?;
+        for folder_name in [".", "formal"] {
+            for entry in fs::read_dir(options.rtl.join(folder_name)).map_err(text)? {
+                let path = entry.map_err(text)?.path();
+                let Some(own_name) = path.file_name().filter(|_| is_verilog(&path)) else {
+                    continue;
+                };
+                let mut source = fs::read_to_string(&path).map_err(text)?;
+                if own_name == *file {
+                    if source.matches(from).count() != 1 {
+                        return Err(format!("{name}: does not stand once in the file"));
+                    }
+                    source = source.replace(from, to);
+                }
+                fs::write(folder.join(folder_name).join(own_name), source).map_err(text)?;
+            }
+        }
+        match check(&folder, &folder, module, WIDTHS[1])? {
+            Some(failed) => {
+                println!("mutant {name}\n    found: {failed}");
+                Ok(())
+            }
+            None => Err(format!("the properties hold for the mutant {name}")),
+        }
+    })?;
+    println!("{} mutants, all found", MUTANTS.len());
+    Ok(())
+}
+
+/// Checks one module at one width; the assert that fails, if one does.
+fn check(rtl: &Path, build: &Path, module: &str, bits: u32) -> Result<Option<String>, String> {
+    fs::create_dir_all(build).map_err(|e| format!("{}: {e}", build.display()))?;
+    let model = build.join(format!("{module}.smt2"));
+    let mut files = Vec::new();
+    for entry in fs::read_dir(rtl).map_err(|e| format!("{}: {e}", rtl.display()))? {
+        let path = entry.map_err(|e| e.to_string())?.path();
+        if is_verilog(&path) {
+            files.push(path.display().to_string());
+        }
+    }
+    files.sort();
+    let script = format!(
+        "read_verilog -formal {} {}/formal/{module}_props.v; chparam -set N {bits} {module}_props; \
+         prep -top {module}_props; flatten; check -assert; write_smt2 -wires {}",
+        files.join(" "),
+        rtl.display(),
+        model.display()
+    );
+    let said = run_tool("yosys", &["-q", "-p", &script])?;
+    if let Err(output) = said {
+        return Err(format!("yosys: {output}"));
+    }
+    let depth = DEPTH.to_string();
+    let model = model.display().to_string();
+    for induction in [&[][..], &["-i"][..]] {
+        let mut arguments = vec!["-s", "yices", "-t", &depth];
+        arguments.extend(induction);
+        arguments.push(&model);
+        if let Err(output) = run_tool("yosys-smtbmc", &arguments)? {
+            let failed = output.lines().find_map(|line| line.split_once("Assert failed in "));
+            return match failed {
+                Some((_, failed)) => Ok(Some(failed.to_owned())),
+                None => Err(format!("yosys-smtbmc: {output}")),
+            };
+        }
+    }
+    Ok(None)
+}
+
+/// Runs a tool: what it printed, as an error if it failed.
+fn run_tool(tool: &str, arguments: &[&str]) -> Result<Result<String, String>, String> {
+    let output = Command::new(tool)
+        .args(arguments)
+        .output()
+        .map_err(|e| format!("{tool}: {e} (run tools/install-rtl-tools)"))?;
+    let mut text = String::from_utf8_lossy(&output.stdout).into_owned();
+    text.push_str(&String::from_utf8_lossy(&output.stderr));
+    Ok(if output.status.success() { Ok(text) } else { Err(text) })
+}
+
+fn is_verilog(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension == "v")
+}
+
+/// Does all jobs, as many at a time as there are processors; the first error.
+fn in_parallel<J: Sync>(
+    jobs: &[J],
+    work: impl Fn(&J) -> Result<(), String> + Sync,
+) -> Result<(), String> {
+    let next = Mutex::new(jobs.iter());
+    let failed = Mutex::new(None);
+    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..workers {
+            scope.spawn(|| {
+                loop {
+                    let job = next.lock().ok().and_then(|mut jobs| jobs.next());
+                    let Some(job) = job else { return };
+                    if let (Err(why), Ok(mut failed)) = (work(job), failed.lock()) {
+                        failed.get_or_insert(why);
+                    }
+                }
+            });
+        }
+    });
+    failed.into_inner().ok().flatten().map_or(Ok(()), Err)
+}
