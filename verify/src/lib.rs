@@ -17,6 +17,7 @@ pub mod cosim;
 pub mod dda_arc;
 pub mod dda_line;
 mod lattice;
+mod mutant;
 pub mod ppc_arc;
 pub mod ppc_line;
 pub mod rtl_formal;

@@ -1,6 +1,7 @@
 //! Formal checks of the Verilog twins: the asserts of `hwmodel/rtl/formal/*_props.v`, for every
 //! command and every pattern of the pulse source, from reset (bounded) and by induction.
 
+use crate::mutant::{Mutant, is_verilog};
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -35,28 +36,38 @@ const WIDTHS: [u32; 3] = [8, 24, 32];
 /// needs; the rest finds shorter counterexamples.
 const DEPTH: u32 = 6;
 
-/// Mutants: module, file, what stands there, what is put there.
-const MUTANTS: [(&str, &str, &str, &str); 10] = [
-    (
+/// The module whose properties must show the mutant, and the mutant.
+const fn mutant(
+    module: &'static str,
+    file: &'static str,
+    from: &'static str,
+    to: &'static str,
+) -> (&'static str, Mutant) {
+    (module, Mutant { file, from, to })
+}
+
+/// What each property is there to find.
+const MUTANTS: &[(&str, Mutant)] = &[
+    mutant(
         "dda_line",
         "integrator.v",
         "{1'b0, o_jr} + {1'b0, i_jv};",
         "{1'b0, o_jr} + {1'b0, i_jv} + 1'b1;",
     ),
-    ("dda_line", "integrator.v", "o_carry = sum[N]", "o_carry = sum[N-1]"),
-    ("dda_line", "dda_line.v", "run = i_en & ~o_done", "run = i_en"),
-    ("dda_arc", "dda_arc.v", "carry_x & ~x_stands", "carry_x"),
-    ("dda_arc", "sweep.v", "o_jey <= o_jey + count_y;", "o_jey <= o_jey;"),
-    ("dda_centred_arc", "dda_centred_arc.v", "{2'b00, o_jry}", "{2'b00, o_jrx}"),
-    (
+    mutant("dda_line", "integrator.v", "o_carry = sum[N]", "o_carry = sum[N-1]"),
+    mutant("dda_line", "dda_line.v", "run = i_en & ~o_done", "run = i_en"),
+    mutant("dda_arc", "dda_arc.v", "carry_x & ~x_stands", "carry_x"),
+    mutant("dda_arc", "sweep.v", "o_jey <= o_jey + count_y;", "o_jey <= o_jey;"),
+    mutant("dda_centred_arc", "dda_centred_arc.v", "{2'b00, o_jry}", "{2'b00, o_jrx}"),
+    mutant(
         "dda_centred_arc",
         "dda_centred_arc.v",
         "stepping_out ? o_jex[N+1] : sum_x[N+1]",
         "sum_x[N+1]",
     ),
-    ("ppc_line", "ppc_line.v", "(~o_f[N] & ~x_done) | y_done", "~o_f[N]"),
-    ("ppc_line", "ppc_line.v", "o_f <= o_f + change;", "o_f <= o_f - change;"),
-    ("brm_line", "brm_line.v", "next & ~{1'b0, o_divider}", "next"),
+    mutant("ppc_line", "ppc_line.v", "(~o_f[N] & ~x_done) | y_done", "~o_f[N]"),
+    mutant("ppc_line", "ppc_line.v", "o_f <= o_f + change;", "o_f <= o_f - change;"),
+    mutant("brm_line", "brm_line.v", "next & ~{1'b0, o_divider}", "next"),
 ];
 
 /// Runs the checks that are asked for.
@@ -89,27 +100,10 @@ pub fn run(options: &Options) -> Result<(), String> {
 
 fn mutants(options: &Options) -> Result<(), String> {
     let jobs: Vec<_> = MUTANTS.iter().enumerate().collect();
-    in_parallel(&jobs, |(number, (module, file, from, to))| {
-        let name = format!("{file}: {from} -> {to}");
+    in_parallel(&jobs, |(number, (module, mutant))| {
         let folder = options.build.join(format!("mutant_{number}"));
-        let text = |e: std::io::Error| format!("{name}: {e}");
-        fs::create_dir_all(folder.join("formal")).map_err(text)?;
-        for folder_name in [".", "formal"] {
-            for entry in fs::read_dir(options.rtl.join(folder_name)).map_err(text)? {
-                let path = entry.map_err(text)?.path();
-                let Some(own_name) = path.file_name().filter(|_| is_verilog(&path)) else {
-                    continue;
-                };
-                let mut source = fs::read_to_string(&path).map_err(text)?;
-                if own_name == *file {
-                    if source.matches(from).count() != 1 {
-                        return Err(format!("{name}: does not stand once in the file"));
-                    }
-                    source = source.replace(from, to);
-                }
-                fs::write(folder.join(folder_name).join(own_name), source).map_err(text)?;
-            }
-        }
+        mutant.copy(&options.rtl, &folder)?;
+        let name = mutant.name();
         match check(&folder, &folder, module, WIDTHS[1])? {
             Some(failed) => {
                 println!("mutant {name}\n    found: {failed}");
@@ -171,10 +165,6 @@ fn run_tool(tool: &str, arguments: &[&str]) -> Result<Result<String, String>, St
     let mut text = String::from_utf8_lossy(&output.stdout).into_owned();
     text.push_str(&String::from_utf8_lossy(&output.stderr));
     Ok(if output.status.success() { Ok(text) } else { Err(text) })
-}
-
-fn is_verilog(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension == "v")
 }
 
 /// Does all jobs, as many at a time as there are processors; the first error.

@@ -75,18 +75,11 @@ impl Table for ArcTable {
     }
 
     fn rows(&self, _: Language) -> impl Iterator<Item = Vec<String>> {
-        let show = |cycle, machine: &dda::Arc, pulse| {
-            let integrands = machine.integrands().map(|jv| jv.to_string());
-            let counters = machine.residual().map(i64::unsigned_abs);
-            row(cycle, integrands, machine.remainders(), pulse, &counters)
-        };
-        let mut machine = self.machine;
-        let first = show(0, &machine, Pulse::NONE);
-        let rest = (1..).map_while(move |cycle| {
-            let pulse = machine.step()?;
-            Some(show(cycle, &machine, pulse))
-        });
-        std::iter::once(first).chain(rest)
+        arc_rows(self.machine, |arc| Shown {
+            integrands: arc.integrands().map(|jv| jv.to_string()),
+            remainders: arc.remainders(),
+            to_go: arc.residual(),
+        })
     }
 }
 
@@ -96,17 +89,33 @@ impl Table for CentredArcTable {
     }
 
     fn rows(&self, _: Language) -> impl Iterator<Item = Vec<String>> {
-        let show = |cycle, machine: &dda::CentredArc, pulse| {
-            let integrands = machine.integrands().map(|jv| jv.to_string());
-            let counters = machine.residual().map(i64::unsigned_abs);
-            row(cycle, integrands, machine.remainders(), pulse, &counters)
-        };
-        let mut machine = self.machine;
-        let first = show(0, &machine, Pulse::NONE);
-        let rest = (1..).map_while(move |cycle| {
-            let pulse = machine.step()?;
-            Some(show(cycle, &machine, pulse))
-        });
-        std::iter::once(first).chain(rest)
+        arc_rows(self.machine, |arc| Shown {
+            integrands: arc.integrands().map(|jv| jv.to_string()),
+            remainders: arc.remainders(),
+            to_go: arc.residual(),
+        })
     }
+}
+
+/// What a row shows of an arc's registers.
+struct Shown {
+    integrands: [String; 2],
+    remainders: [u64; 2],
+    to_go: [i64; 2],
+}
+
+fn arc_rows<M: Iterator<Item = Pulse>>(
+    mut machine: M,
+    shown: impl Fn(&M) -> Shown,
+) -> impl Iterator<Item = Vec<String>> {
+    let show = move |cycle, machine: &M, pulse| {
+        let Shown { integrands, remainders, to_go } = shown(machine);
+        row(cycle, integrands, remainders, pulse, &to_go.map(i64::unsigned_abs))
+    };
+    let first = show(0, &machine, Pulse::NONE);
+    let rest = (1..).map_while(move |cycle| {
+        let pulse = machine.next()?;
+        Some(show(cycle, &machine, pulse))
+    });
+    std::iter::once(first).chain(rest)
 }

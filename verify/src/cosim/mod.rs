@@ -1,8 +1,8 @@
 //! Co-simulation: a circuit of `onepulse-hwmodel` and its Verilog twin get the same commands and
 //! the same clocks, and every register and output is compared on every clock.
 //!
-//! The twin runs under Verilator as a process of its own; [`bench`] is the test bench that it is
-//! built with, [`twin`] talks to it, [`engine`] knows the ports of each module, and [`stimulus`]
+//! The twin runs under Verilator as a process of its own; `bench` is the test bench that it is
+//! built with, `twin` talks to it, `engine` knows the ports of each module, and `stimulus`
 //! makes the commands.
 
 mod bench;

@@ -3,28 +3,21 @@
 use super::engine::Engine;
 use super::stimulus::Run;
 use super::twin::Twin;
-use std::fs;
+use crate::mutant::Mutant;
 use std::path::Path;
 
-/// A small change of a file of the twin, and the engine that must show it.
-struct Mutant {
-    engine: Engine,
-    file: &'static str,
-    from: &'static str,
-    to: &'static str,
-}
-
+/// The engine that must show the mutant, and the mutant.
 const fn mutant(
     engine: Engine,
     file: &'static str,
     from: &'static str,
     to: &'static str,
-) -> Mutant {
-    Mutant { engine, file, from, to }
+) -> (Engine, Mutant) {
+    (engine, Mutant { file, from, to })
 }
 
 /// At least one for every register and every decision.
-const MUTANTS: &[Mutant] = &[
+const MUTANTS: &[(Engine, Mutant)] = &[
     mutant(
         Engine::DdaLine,
         "integrator.v",
@@ -101,39 +94,15 @@ const MUTANTS: &[Mutant] = &[
 /// A mutant that stays hidden, or that does not fit the source any more.
 pub(super) fn run(rtl: &Path, build: &Path, bits: u32, clocks: u64) -> Result<(), String> {
     let folder = build.join("mutant");
-    for mutant in MUTANTS {
-        let Mutant { engine, file, from, to } = mutant;
-        let name = format!("{file}: {from} -> {to}");
-        let _ = fs::remove_dir_all(&folder);
-        copy_with(rtl, &folder, mutant).map_err(|why| format!("{name}: {why}"))?;
+    for (engine, mutant) in MUTANTS {
+        mutant.copy(rtl, &folder)?;
         let twin = Twin::build(&folder, &folder.join("build"), *engine, bits)?;
-        let found = Run::new(*engine, bits, twin, 1).clocks(clocks);
-        match found {
+        let name = mutant.name();
+        match Run::new(*engine, bits, twin, 1).clocks(clocks) {
             Ok(()) => return Err(format!("the co-simulation does not see the mutant {name}")),
             Err(why) => println!("mutant {name}\n    found: {why}"),
         }
     }
     println!("{} mutants, all found", MUTANTS.len());
-    Ok(())
-}
-
-fn copy_with(rtl: &Path, folder: &Path, mutant: &Mutant) -> Result<(), String> {
-    let text = |e: std::io::Error| e.to_string();
-    fs::create_dir_all(folder).map_err(text)?;
-    for entry in fs::read_dir(rtl).map_err(text)? {
-        let path = entry.map_err(text)?.path();
-        let Some(name) = path.file_name().filter(|_| path.extension().is_some_and(|e| e == "v"))
-        else {
-            continue;
-        };
-        let mut source = fs::read_to_string(&path).map_err(text)?;
-        if name == mutant.file {
-            if source.matches(mutant.from).count() != 1 {
-                return Err("does not stand once in the file".to_owned());
-            }
-            source = source.replace(mutant.from, mutant.to);
-        }
-        fs::write(folder.join(name), source).map_err(text)?;
-    }
     Ok(())
 }
