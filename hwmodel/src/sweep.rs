@@ -2,7 +2,7 @@
 
 use crate::trace::{Kind, Probe};
 use crate::word::wrap;
-use onepulse_core::{self as software, Direction, Error, Feeds, Pulse, Quadrant};
+use onepulse_core::{self as software, Axis, Direction, Error, Feeds, Pulse, Quadrant};
 
 /// The sweep control registers that every arc circuit contains.
 ///
@@ -49,15 +49,36 @@ impl Sweep {
         self.quadrant.feeds(self.direction)
     }
 
-    /// Each axis' stop wire: in the last quadrant, its end counter is zero or has run through.
-    pub(crate) fn stands(&self) -> [bool; 2] {
+    /// The decoder's outputs by axis: the sign of its pulses in this quadrant.
+    #[inline]
+    pub(crate) const fn signs(&self) -> [i8; 2] {
         let Feeds { towards, away } = self.feeds();
-        let mut stands = [false; 2];
-        for feed in [towards, away] {
-            let to_go = self.je[feed.axis.index()] * i64::from(feed.sign);
-            stands[feed.axis.index()] = self.crossings == 0 && to_go <= 0;
+        match towards.axis {
+            Axis::X => [towards.sign, away.sign],
+            Axis::Y => [away.sign, towards.sign],
         }
-        stands
+    }
+
+    /// By how much a pulse changes the magnitude of its axis' coordinate: a pulse towards zero
+    /// makes it smaller, one away from it larger; stepping out may go against the quadrant's
+    /// direction.
+    #[inline]
+    pub(crate) const fn growth(&self, Pulse([x, y]): Pulse) -> [i64; 2] {
+        let [sx, sy] = self.signs();
+        let (gx, gy) = match self.feeds().towards.axis {
+            Axis::X => (-1, 1),
+            Axis::Y => (1, -1),
+        };
+        [(x * sx) as i64 * gx, (y * sy) as i64 * gy]
+    }
+
+    /// Each axis' stop wire: in the last quadrant, its end counter is zero or has run through.
+    #[inline]
+    pub(crate) const fn stands(&self) -> [bool; 2] {
+        let [sx, sy] = self.signs();
+        let [x, y] = self.je;
+        let is_last = self.crossings == 0;
+        [is_last && x * sx as i64 <= 0, is_last && y * sy as i64 <= 0]
     }
 
     /// The wire that ends integration, from the stop wires and each coordinate's zero detector.
@@ -82,14 +103,18 @@ impl Sweep {
 
     /// The next contents after `pulse`, when the coordinates' zero detectors then show `is_zero`.
     pub(crate) fn next(&self, pulse: Pulse, is_zero: [bool; 2]) -> Self {
-        let Feeds { towards, away } = self.feeds();
-        let crosses =
-            self.crossings > 0 && is_zero[towards.axis.index()] && !is_zero[away.axis.index()];
-        let count = |axis: usize| wrap(self.je[axis] - i64::from(pulse.0[axis]), self.bits + 2);
+        let [towards_is_zero, away_is_zero] = match self.feeds().towards.axis {
+            Axis::X => is_zero,
+            Axis::Y => [is_zero[1], is_zero[0]],
+        };
+        let crosses = self.crossings > 0 && towards_is_zero && !away_is_zero;
+        let Pulse([px, py]) = pulse;
+        let [jex, jey] = self.je;
+        let count = |je: i64, pulse: i8| wrap(je - i64::from(pulse), self.bits + 2);
         Self {
             quadrant: if crosses { self.quadrant.next(self.direction) } else { self.quadrant },
             crossings: self.crossings - u8::from(crosses),
-            je: [count(0), count(1)],
+            je: [count(jex, px), count(jey, py)],
             ..*self
         }
     }

@@ -4,7 +4,7 @@ use crate::trace::{Kind, Probe};
 use crate::word::mask;
 use crate::{Circuit, Sweep};
 use onepulse_core::dda::{self, Preset, Radix, Register};
-use onepulse_core::{Axis, Direction, Error, Pulse};
+use onepulse_core::{Direction, Error, Pulse};
 
 /// Two crossed integrators: JVx follows |y|, JVy follows |x|, and each pulse corrects the
 /// integrand that follows its axis.
@@ -80,16 +80,11 @@ impl Arc {
         } else if stepping_out {
             q.sweep.step_out()
         } else {
-            let mut pulse = Pulse::NONE;
-            let feeds = q.sweep.feeds();
-            for feed in [feeds.towards, feeds.away] {
-                let axis = feed.axis.index();
-                let carry = sum[axis] >> self.bits == 1;
-                if carry && !stands[axis] {
-                    pulse.0[axis] = feed.sign;
-                }
-            }
-            pulse
+            let [sx, sy] = q.sweep.signs();
+            let carries = |sum: u64, stands: bool| sum >> self.bits == 1 && !stands;
+            let x = if carries(sum[0], stands[0]) { sx } else { 0 };
+            let y = if carries(sum[1], stands[1]) { sy } else { 0 };
+            Pulse([x, y])
         };
         Wires { sum, stands, stepping_out, pulse }
     }
@@ -97,32 +92,29 @@ impl Arc {
     fn next(&self, wires: &Wires) -> Registers {
         let q = &self.registers;
         let iterates = !q.sweep.done() && !wires.stepping_out;
-        let remainder = |axis: usize| {
-            if iterates && !wires.stands[axis] {
-                wires.sum[axis] & mask(self.bits)
-            } else {
-                q.jr[axis]
-            }
+        let remainder = |jr: u64, sum: u64, stands: bool| {
+            if iterates && !stands { sum & mask(self.bits) } else { jr }
         };
         // The correction: a pulse of x moves |x|, which JVy holds, and the other way round.
-        let mut jv = q.jv;
-        let feeds = q.sweep.feeds();
-        for (feed, outwards) in [(feeds.towards, -1), (feeds.away, 1)] {
-            let steps = i64::from(wires.pulse.0[feed.axis.index()] * feed.sign) * outwards;
-            let follower = &mut jv[feed.axis.other().index()];
-            *follower = follower.wrapping_add_signed(steps << self.shift) & mask(self.bits);
-        }
+        let [x_grows, y_grows] = q.sweep.growth(wires.pulse);
+        let correct =
+            |jv: u64, grows: i64| jv.wrapping_add_signed(grows << self.shift) & mask(self.bits);
+        let jv = [correct(q.jv[0], y_grows), correct(q.jv[1], x_grows)];
+        let [jrx, jry] = q.jr;
         Registers {
             jv,
-            jr: [remainder(0), remainder(1)],
+            jr: [
+                remainder(jrx, wires.sum[0], wires.stands[0]),
+                remainder(jry, wires.sum[1], wires.stands[1]),
+            ],
             sweep: q.sweep.next(wires.pulse, is_zero(jv)),
         }
     }
 }
 
 /// The zero detectors of the coordinates x and y, from the integrands that follow them.
-fn is_zero(jv: [u64; 2]) -> [bool; 2] {
-    [Axis::X, Axis::Y].map(|axis| jv[axis.other().index()] == 0)
+const fn is_zero([jvx, jvy]: [u64; 2]) -> [bool; 2] {
+    [jvy == 0, jvx == 0]
 }
 
 impl Circuit for Arc {
