@@ -68,28 +68,14 @@ impl BlockRun<'_> {
         let mut position = start;
         let mut cycles = 0;
         let mut pulses = [0; 2];
-        let mut disagreement = None;
-        self.outputs.begin(self.motion, self.cycles_per_second, &circuit)?;
-        loop {
-            let due = software.next();
-            if circuit.done() != due.is_none() {
-                disagreement = Some(cycles + 1);
-            }
-            let Some(due) = due.filter(|_| disagreement.is_none()) else {
-                break;
+        self.outputs.begin::<C, N>(self.motion, self.cycles_per_second)?;
+        let disagreement = loop {
+            let due = match cycle(&mut software, &mut circuit, |c| self.outputs.clock(c)) {
+                Cycle::Sent(due) => due,
+                Cycle::Over => break None,
+                Cycle::Differs => break Some(cycles + 1),
             };
-            let mut sent = [0; N];
-            for _ in 0..C::CLOCKS_PER_CYCLE {
-                let clock = self.outputs.clock(&mut circuit);
-                for axis in 0..N {
-                    sent[axis] += clock.0[axis];
-                }
-            }
             cycles += 1;
-            if sent != due.0 {
-                disagreement = Some(cycles);
-                break;
-            }
             if !due.is_none() {
                 let pulse = [due.0[0], due.0[1]];
                 for axis in 0..2 {
@@ -101,12 +87,82 @@ impl BlockRun<'_> {
                     [0, 1].map(|axis| self.origin[axis] + position[axis] - self.short[axis]);
                 self.outputs.pulse(cycles, Pulse(pulse), absolute)?;
             }
-        }
+        };
         let seconds = cycles as f64 / self.cycles_per_second;
         self.outputs.end(seconds, &circuit)?;
         let residual =
             [0, 1].map(|axis| i64::from(self.motion.to[axis]) - self.origin[axis] - position[axis]);
         let deviation = self.deviation.in_pulses();
         Ok(BlockResult { cycles, pulses, deviation, residual, seconds, disagreement })
+    }
+}
+
+/// What came of one interpolation cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Cycle<const N: usize> {
+    /// Both sent these pulses.
+    Sent(Pulse<N>),
+    /// Both are done.
+    Over,
+    /// They sent different pulses, or one of them is done.
+    Differs,
+}
+
+/// Runs software and circuit for one interpolation cycle; `clock` gives the circuit its clocks.
+fn cycle<S, C, const N: usize>(
+    software: &mut S,
+    circuit: &mut C,
+    mut clock: impl FnMut(&mut C) -> Pulse<N>,
+) -> Cycle<N>
+where
+    S: Iterator<Item = Pulse<N>>,
+    C: Circuit<N>,
+{
+    match (software.next(), circuit.done()) {
+        (None, true) => Cycle::Over,
+        (Some(due), false) => {
+            let mut sent = Pulse::NONE;
+            for _ in 0..C::CLOCKS_PER_CYCLE {
+                let pulses = clock(circuit);
+                for axis in 0..N {
+                    sent.0[axis] += pulses.0[axis];
+                }
+            }
+            if sent == due { Cycle::Sent(due) } else { Cycle::Differs }
+        }
+        _ => Cycle::Differs,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use onepulse_core::{EndRule, ppc};
+    use onepulse_hwmodel as hw;
+
+    /// The cycles in which both agree, and whether they agree to the end.
+    fn agreement(software: [i32; 2], circuit: [i32; 2]) -> (u32, bool) {
+        let mut software = ppc::Line::new(software, EndRule::Total).unwrap();
+        let mut circuit = hw::ppc::Line::new(circuit, 4, EndRule::Total).unwrap();
+        let mut cycles = 0;
+        loop {
+            match cycle(&mut software, &mut circuit, |c| c.clock()) {
+                Cycle::Sent(_) => cycles += 1,
+                Cycle::Over => return (cycles, true),
+                Cycle::Differs => return (cycles, false),
+            }
+        }
+    }
+
+    #[test]
+    fn a_circuit_of_another_curve_is_found_out() {
+        assert_eq!(agreement([5, 3], [5, 3]), (8, true));
+        // x y x y x x against x y x y x y.
+        assert_eq!(agreement([5, 3], [5, 4]), (5, false));
+        // The same pulses in the other direction.
+        assert_eq!(agreement([5, 3], [-5, 3]), (0, false));
+        // One is done before the other.
+        assert_eq!(agreement([5, 0], [6, 0]), (5, false));
+        assert_eq!(agreement([6, 0], [5, 0]), (5, false));
     }
 }

@@ -82,12 +82,11 @@ impl Outputs {
         Ok(Self { pulses, pulses_file, picture, waves, report, line: 0, folder })
     }
 
-    /// Begins a block.
+    /// Begins a block that circuit C makes.
     pub(super) fn begin<C: Circuit<N>, const N: usize>(
         &mut self,
         motion: &Motion,
         cycles_per_second: f64,
-        _: &C,
     ) -> Result<(), Failure> {
         self.line = motion.line;
         self.picture.begin_block(motion)?;

@@ -13,7 +13,7 @@ use crate::machine::{Refusal, Visitor, with_machines};
 use crate::pulses::say_residual;
 use clap::ValueEnum;
 use onepulse_core::dda::{Radix, Register};
-use onepulse_core::{self as core, Error, Pulse};
+use onepulse_core::{self as core, EndRule, Error, Pulse};
 use onepulse_hwmodel::Circuit;
 
 /// How a table is written.
@@ -61,9 +61,11 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<(), Failure> {
     let options = &arguments.curve.options;
     let method = Method::from_options(options).map_err(Failure::Usage)?;
     let curve = arguments.curve.curve();
-    // The one place that knows what suits together says what does not, and where it ends.
-    with_machines(&curve, &method, options.bits, Ending { end: curve.end() })
-        .map_err(Refusal::usage)?;
+    // The one place that knows what suits together says what does not, and where it ends: only the
+    // rule of the larger axis need be run to know.
+    let may_be_short = matches!(method, Method::Ppc { end_rule: EndRule::Larger });
+    let ending = Ending { end: may_be_short.then(|| curve.end()) };
+    with_machines(&curve, &method, options.bits, ending).map_err(Refusal::usage)?;
     let write = |why: Error| Refusal::from(why).usage();
     match (method, &curve) {
         (Method::Ppc { end_rule }, Curve::Line { to }) => {
@@ -131,9 +133,9 @@ fn print(table: &impl Table, arguments: &TableArguments) -> Result<(), Failure> 
     written.map_err(|error| Failure::stdout(&error))
 }
 
-/// Says what an end rule leaves short.
+/// Says what is left short of the end point, if one is given.
 struct Ending {
-    end: Vec<i64>,
+    end: Option<Vec<i64>>,
 }
 
 impl Visitor for Ending {
@@ -148,13 +150,14 @@ impl Visitor for Ending {
         S: Iterator<Item = Pulse<N>>,
         C: Circuit<N>,
     {
+        let Some(end) = self.end else { return };
         let mut position = start;
         for Pulse(pulse) in software {
             for axis in 0..N {
                 position[axis] += i64::from(pulse[axis]);
             }
         }
-        say_residual(&self.end, &position);
+        say_residual(&end, &position);
     }
 }
 
