@@ -709,3 +709,21 @@ fn a_window_of_a_run_shows_the_same_clocks_as_the_whole() {
         }
     }
 }
+
+#[test]
+fn integrated_curves_take_the_time_of_their_length() {
+    // A full circle of 10 mm, half a one, and lines, at 10 mm a second. In every register width
+    // the feed is that of the program: normalization and width are allowed for.
+    let program = "G01X10.Y0.F600\nG03I-10.J0.\nG03X-10.I-10.J0.\nG01X5.Y20.\n";
+    let half_turn = 10.0 * std::f64::consts::PI;
+    let due = [10.0, 2.0 * half_turn, half_turn, 25.0].map(|millimetres| millimetres / 10.0);
+    for options in ["", "--bits 13", "--update simultaneous", "--update simultaneous --bits 20"] {
+        let report = report_of(program, &format!("--method dda {options}"));
+        assert_eq!(blocks(&report).len(), due.len());
+        for (block, due) in blocks(&report).iter().zip(due) {
+            let seconds = block["duration_s"].as_f64().unwrap();
+            // An arc may wait a little for its last pulse.
+            assert!((seconds / due - 1.0).abs() < 0.03, "{options}: {seconds} s for {due} s");
+        }
+    }
+}
