@@ -14,6 +14,8 @@
 //! | [`ppc::Line`], [`ppc::Arc`] | 4, one a beat | [`onepulse_core::ppc`] |
 //! | [`brm::Line`] | 1 | [`onepulse_core::brm::Line`] |
 //!
+//! Behind them stands [`StepDir`], the outputs to an axis' drive.
+//!
 //! [`trace`] writes their waves as VCD or FST.
 //!
 //! ```
@@ -31,9 +33,11 @@ pub mod brm;
 mod circuit;
 pub mod dda;
 pub mod ppc;
+mod step_dir;
 mod sweep;
 pub mod trace;
 mod word;
 
 pub use circuit::{Circuit, Cycles};
+pub use step_dir::{StepDir, Timing};
 pub use sweep::Sweep;

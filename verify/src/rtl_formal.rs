@@ -27,7 +27,8 @@ pub struct Options {
 }
 
 /// The modules with properties.
-const MODULES: [&str; 5] = ["dda_line", "dda_arc", "dda_centred_arc", "ppc_line", "brm_line"];
+const MODULES: [&str; 6] =
+    ["dda_line", "dda_arc", "dda_centred_arc", "ppc_line", "brm_line", "step_dir"];
 
 /// The register widths that are checked; the properties say nothing of the width.
 const WIDTHS: [u32; 3] = [8, 24, 32];
@@ -68,6 +69,17 @@ const MUTANTS: &[(&str, Mutant)] = &[
     mutant("ppc_line", "ppc_line.v", "(~o_f[N] & ~x_done) | y_done", "~o_f[N]"),
     mutant("ppc_line", "ppc_line.v", "o_f <= o_f + change;", "o_f <= o_f - change;"),
     mutant("brm_line", "brm_line.v", "next & ~{1'b0, o_divider}", "next"),
+    mutant("step_dir", "step_dir.v", "o_step ? i_space : i_length", "i_space"),
+    mutant("step_dir", "step_dir.v", "o_step ? i_hold : i_setup", "i_setup"),
+    mutant("step_dir", "step_dir.v", "waits & agrees & timer_is_out", "waits & agrees"),
+    mutant("step_dir", "step_dir.v", "(~o_turned | guard_is_out)", "1'b1"),
+    mutant("step_dir", "step_dir.v", "waits & ~agrees & guard_is_out", "waits & ~agrees"),
+    mutant("step_dir", "step_dir.v", "clocks - 1'b1", "clocks - 2'd2"),
+    mutant("step_dir", "step_dir.v", "clocks == 0 ? {T{1'b0}} : clocks", "clocks"),
+    mutant("step_dir", "step_dir.v", "else if (rises)", "else if (falls)"),
+    mutant("step_dir", "step_dir.v", "if (o_ready) begin", "if (o_ready | rises) begin"),
+    mutant("step_dir", "step_dir.v", "if (i_pulse) o_want", "if (i_pulse & o_idle) o_want"),
+    mutant("step_dir", "step_dir.v", "waits & agrees &", "waits & agrees & ~i_pulse &"),
 ];
 
 /// Runs the checks that are asked for.
