@@ -14,7 +14,7 @@
 //! | [`ppc::Line`], [`ppc::Arc`] | 4, one a beat | [`onepulse_core::ppc`] |
 //! | [`brm::Line`] | 1 | [`onepulse_core::brm::Line`] |
 //!
-//! Behind them stands [`StepDir`], the outputs to an axis' drive.
+//! Round them stand [`Fifo`], a queue of commands, and [`StepDir`], the outputs to an axis' drive.
 //!
 //! [`trace`] writes their waves as VCD or FST.
 //!
@@ -32,6 +32,7 @@
 pub mod brm;
 mod circuit;
 pub mod dda;
+mod fifo;
 pub mod ppc;
 mod step_dir;
 mod sweep;
@@ -39,5 +40,6 @@ pub mod trace;
 mod word;
 
 pub use circuit::{Circuit, Cycles};
+pub use fifo::Fifo;
 pub use step_dir::{StepDir, Timing};
 pub use sweep::Sweep;

@@ -27,8 +27,8 @@ pub struct Options {
 }
 
 /// The modules with properties.
-const MODULES: [&str; 6] =
-    ["dda_line", "dda_arc", "dda_centred_arc", "ppc_line", "brm_line", "step_dir"];
+const MODULES: [&str; 7] =
+    ["dda_line", "dda_arc", "dda_centred_arc", "ppc_line", "brm_line", "step_dir", "command_fifo"];
 
 /// The register widths that are checked; the properties say nothing of the width.
 const WIDTHS: [u32; 3] = [8, 24, 32];
@@ -80,6 +80,16 @@ const MUTANTS: &[(&str, Mutant)] = &[
     mutant("step_dir", "step_dir.v", "if (o_ready) begin", "if (o_ready | rises) begin"),
     mutant("step_dir", "step_dir.v", "if (i_pulse) o_want", "if (i_pulse & o_idle) o_want"),
     mutant("step_dir", "step_dir.v", "waits & agrees &", "waits & agrees & ~i_pulse &"),
+    mutant("command_fifo", "command_fifo.v", "put  = i_valid & o_ready", "put  = i_valid"),
+    mutant("command_fifo", "command_fifo.v", "take = o_valid & i_ready", "take = i_ready"),
+    mutant("command_fifo", "command_fifo.v", "same_place & ~same_round", "same_place"),
+    mutant("command_fifo", "command_fifo.v", "if (take) o_read", "if (take & ~put) o_read"),
+    mutant(
+        "command_fifo",
+        "command_fifo.v",
+        "o_data  = entries[o_read",
+        "o_data  = entries[~o_read",
+    ),
 ];
 
 /// Runs the checks that are asked for.
