@@ -1,13 +1,20 @@
 // Circular arc by digital integration, the textbook's circuit: both integrators add in the same
 // clock, each pulse corrects the integrand that follows its axis by i_unit = 2^Q.
 //
+//   0 add      SX <- JRx + JVx, SY <- JRy + JVy, carries and all
+//   1 correct  the remainders take the sums, the carries are the pulses: integrands and end
+//              counters take them
+//
+// A carry that reached the integrands in its own clock would have two adders in a row; the sum
+// registers between them let the clock run more than twice as fast.
+//
 // JVx holds |y| and JVy holds |x|. The path exceeds one pulse; dda_centred_arc does not.
 module dda_arc #(
     parameter N = 24
 ) (
     input  wire         i_clk,
     input  wire         i_rst,
-    // pulse source
+    // pulse source: begins a cycle, when none is under way
     input  wire         i_en,
     // command: the registers' first contents
     input  wire         i_load,
@@ -25,58 +32,49 @@ module dda_arc #(
     output wire [1:0]   o_negative,
     output wire         o_done,
     // registers
+    output reg          o_beat,
     output reg  [N-1:0] o_unit,
-    output wire         o_cw,
     output reg  [N-1:0] o_jvx,
     output reg  [N-1:0] o_jvy,
-    output wire [N-1:0] o_jrx,
-    output wire [N-1:0] o_jry,
+    output reg  [N-1:0] o_jrx,
+    output reg  [N-1:0] o_jry,
+    output reg  [N:0]   o_sumx,
+    output reg  [N:0]   o_sumy,
+    // registers of the sweep
     output wire [1:0]   o_quadrant,
     output wire [2:0]   o_crossings,
+    output wire         o_cw,
     output wire [N+1:0] o_jex,
-    output wire [N+1:0] o_jey
+    output wire [N+1:0] o_jey,
+    output wire         o_last,
+    output wire         o_towards_is_y,
+    output wire         o_feeds_nx,
+    output wire         o_feeds_ny,
+    output wire         o_x_at_end,
+    output wire         o_y_at_end,
+    output wire         o_x_stands,
+    output wire         o_y_stands,
+    output wire         o_stepping_out,
+    output wire         o_nx,
+    output wire         o_ny,
+    output wire         o_x_shrinks,
+    output wire         o_y_shrinks
 );
-    wire         towards_is_y, nx, ny, x_stands, y_stands, stepping_out, carry_x, carry_y;
-    wire         run = i_en & ~o_done;
+    localparam ADD = 1'b0, CORRECT = 1'b1;
 
-    // When stepping out, the end counters' signs are the directions.
-    wire px = run & (stepping_out ? o_jex != 0 : carry_x & ~x_stands);
-    wire py = run & (stepping_out ? o_jey != 0 : carry_y & ~y_stands);
-    wire sx = stepping_out ? o_jex[N+1] : nx;
-    wire sy = stepping_out ? o_jey[N+1] : ny;
+    wire is_last;
+    // Without the end counters' zero detectors: what is added after the end is not used.
+    wire add = o_beat == ADD & i_en;
+    wire px  = o_beat == CORRECT & (o_stepping_out ? ~o_x_at_end : o_sumx[N] & ~o_x_stands);
+    wire py  = o_beat == CORRECT & (o_stepping_out ? ~o_y_at_end : o_sumy[N] & ~o_y_stands);
 
     assign o_pulse    = {py, px};
-    assign o_negative = {sy, sx};
+    assign o_negative = {o_ny, o_nx};
+    assign o_done     = o_beat == ADD & is_last;
 
-    // The coordinate that is fed towards zero shrinks, the other grows; stepping out may go back.
-    wire         x_shrinks = ~towards_is_y ^ (sx ^ nx);
-    wire         y_shrinks = towards_is_y ^ (sy ^ ny);
-    wire [N-1:0] jvy_next  = px ? (x_shrinks ? o_jvy - o_unit : o_jvy + o_unit) : o_jvy;
-    wire [N-1:0] jvx_next  = py ? (y_shrinks ? o_jvx - o_unit : o_jvx + o_unit) : o_jvx;
-
-    wire accumulate = run & ~stepping_out;
-
-    integrator #(.N(N)) integrator_x (
-        .i_clk   (i_clk),
-        .i_rst   (i_rst),
-        .i_load  (i_load),
-        .i_preset(i_preset),
-        .i_en    (accumulate & ~x_stands),
-        .i_jv    (o_jvx),
-        .o_carry (carry_x),
-        .o_jr    (o_jrx)
-    );
-
-    integrator #(.N(N)) integrator_y (
-        .i_clk   (i_clk),
-        .i_rst   (i_rst),
-        .i_load  (i_load),
-        .i_preset(i_preset),
-        .i_en    (accumulate & ~y_stands),
-        .i_jv    (o_jvy),
-        .o_carry (carry_y),
-        .o_jr    (o_jry)
-    );
+    // a - b is a + ~b + 1
+    wire [N-1:0] jvy_next = o_jvy + (o_unit ^ {N{o_x_shrinks}}) + {{(N-1){1'b0}}, o_x_shrinks};
+    wire [N-1:0] jvx_next = o_jvx + (o_unit ^ {N{o_y_shrinks}}) + {{(N-1){1'b0}}, o_y_shrinks};
 
     sweep #(.N(N)) sweep (
         .i_clk         (i_clk),
@@ -87,40 +85,65 @@ module dda_arc #(
         .i_cw          (i_cw),
         .i_jex         (i_jex),
         .i_jey         (i_jey),
-        .i_en          (run),
-        .i_px          (px),
-        .i_nx          (sx),
-        .i_py          (py),
-        .i_ny          (sy),
+        .i_look        (add),
         .i_x_is_zero   (o_jvy == 0),
         .i_y_is_zero   (o_jvx == 0),
-        .i_x_gets_zero (jvy_next == 0),
-        .i_y_gets_zero (jvx_next == 0),
-        .o_towards_is_y(towards_is_y),
-        .o_nx          (nx),
-        .o_ny          (ny),
-        .o_x_stands    (x_stands),
-        .o_y_stands    (y_stands),
-        .o_stepping_out(stepping_out),
-        .o_done        (o_done),
+        .i_px          (px),
+        .i_nx          (o_nx),
+        .i_py          (py),
+        .i_ny          (o_ny),
+        .o_done        (is_last),
         .o_quadrant    (o_quadrant),
         .o_crossings   (o_crossings),
         .o_cw          (o_cw),
         .o_jex         (o_jex),
-        .o_jey         (o_jey)
+        .o_jey         (o_jey),
+        .o_last        (o_last),
+        .o_towards_is_y(o_towards_is_y),
+        .o_feeds_nx    (o_feeds_nx),
+        .o_feeds_ny    (o_feeds_ny),
+        .o_x_at_end    (o_x_at_end),
+        .o_y_at_end    (o_y_at_end),
+        .o_x_stands    (o_x_stands),
+        .o_y_stands    (o_y_stands),
+        .o_stepping_out(o_stepping_out),
+        .o_nx          (o_nx),
+        .o_ny          (o_ny),
+        .o_x_shrinks   (o_x_shrinks),
+        .o_y_shrinks   (o_y_shrinks)
     );
 
     always @(posedge i_clk)
         if (i_rst) begin
+            o_beat <= ADD;
             o_unit <= {N{1'b0}};
-            o_jvx <= {N{1'b0}};
-            o_jvy <= {N{1'b0}};
+            o_jvx  <= {N{1'b0}};
+            o_jvy  <= {N{1'b0}};
+            o_jrx  <= {N{1'b0}};
+            o_jry  <= {N{1'b0}};
+            o_sumx <= {(N+1){1'b0}};
+            o_sumy <= {(N+1){1'b0}};
         end else if (i_load) begin
+            o_beat <= ADD;
             o_unit <= i_unit;
-            o_jvx <= i_jvx;
-            o_jvy <= i_jvy;
+            o_jvx  <= i_jvx;
+            o_jvy  <= i_jvy;
+            o_jrx  <= i_preset;
+            o_jry  <= i_preset;
+            o_sumx <= {(N+1){1'b0}};
+            o_sumy <= {(N+1){1'b0}};
         end else begin
-            o_jvx <= jvx_next;
-            o_jvy <= jvy_next;
+            if (add) begin
+                o_beat <= ~is_last;
+                o_sumx <= {1'b0, o_jrx} + {1'b0, o_jvx};
+                o_sumy <= {1'b0, o_jry} + {1'b0, o_jvy};
+            end
+            if (o_beat == CORRECT) begin
+                o_beat <= ADD;
+                if (~o_stepping_out & ~o_x_stands) o_jrx <= o_sumx[N-1:0];
+                if (~o_stepping_out & ~o_y_stands) o_jry <= o_sumy[N-1:0];
+            end
+            if (px) o_jvy <= jvy_next;
+            if (py) o_jvx <= jvx_next;
         end
 endmodule

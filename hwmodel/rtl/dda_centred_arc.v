@@ -1,17 +1,18 @@
 // Circular arc by digital integration, staggered and centred: the circuit that keeps one pulse.
 //
-// Counter-clockwise, in one clock: JRx <- JRx - y, a carry is a +x pulse and a borrow a -x pulse;
-// then JRy <- JRy + x with the x that already has that pulse. Clockwise: both signs turned. The
-// coordinates are signed and carry the factor i_unit = 2^Q.
+//   0 add x   S <- JRx - y
+//   1 move x  JRx takes the sum; a carry is a +x pulse, a borrow a -x pulse, and x takes it
+//   2 add y   S <- JRy + x, with the x that already has that pulse
+//   3 move y  the same for y
 //
-// The two additions of a clock stand in a row; that is the price of staggering without a second
-// clock.
+// That is counter-clockwise; clockwise both signs are turned. The coordinates are signed and carry
+// the factor i_unit = 2^Q. What is staggered cannot be added at once: the beats share one adder.
 module dda_centred_arc #(
     parameter N = 24
 ) (
     input  wire         i_clk,
     input  wire         i_rst,
-    // pulse source
+    // pulse source: begins a cycle, when none is under way
     input  wire         i_en,
     // command: the registers' first contents
     input  wire         i_load,
@@ -30,42 +31,61 @@ module dda_centred_arc #(
     output wire [1:0]   o_negative,
     output wire         o_done,
     // registers
+    output reg  [1:0]   o_beat,
     output reg  [N-1:0] o_unit,
-    output wire         o_cw,
     output reg  [N-1:0] o_x,
     output reg  [N-1:0] o_y,
     output reg  [N-1:0] o_jrx,
     output reg  [N-1:0] o_jry,
+    output reg  [N+1:0] o_sum,
+    // registers of the sweep
     output wire [1:0]   o_quadrant,
     output wire [2:0]   o_crossings,
+    output wire         o_cw,
     output wire [N+1:0] o_jex,
-    output wire [N+1:0] o_jey
+    output wire [N+1:0] o_jey,
+    output wire         o_last,
+    output wire         o_towards_is_y,
+    output wire         o_feeds_nx,
+    output wire         o_feeds_ny,
+    output wire         o_x_at_end,
+    output wire         o_y_at_end,
+    output wire         o_x_stands,
+    output wire         o_y_stands,
+    output wire         o_stepping_out,
+    output wire         o_nx,
+    output wire         o_ny,
+    output wire         o_x_shrinks,
+    output wire         o_y_shrinks
 );
-    wire         x_stands, y_stands, stepping_out;
-    wire         run = i_en & ~o_done;
+    localparam ADD_X = 2'd0, MOVE_X = 2'd1, ADD_Y = 2'd2, MOVE_Y = 2'd3;
+
+    wire is_last;
+    // Without the end counters' zero detectors: what is added after the end is not used.
+    wire begins = o_beat == ADD_X & i_en;
+    wire is_y   = o_beat[1];
 
     // A remainder is unsigned, a coordinate signed: in N + 2 bits the sum's two top bits are 00
     // (no pulse), 01 (carry) or 11 (borrow).
-    wire [N+1:0] x_wide  = {{2{o_x[N-1]}}, o_x};
-    wire [N+1:0] y_wide  = {{2{o_y[N-1]}}, o_y};
-    wire [N+1:0] sum_x   = {2'b00, o_jrx} + (o_cw ? y_wide : ~y_wide + 1'b1);
-    wire         carry_x = sum_x[N];
-    wire         px      = run & (stepping_out ? o_jex != 0 : carry_x & ~x_stands);
-    wire         sx      = stepping_out ? o_jex[N+1] : sum_x[N+1];
-    wire [N-1:0] x_next  = px ? (sx ? o_x - o_unit : o_x + o_unit) : o_x;
+    wire         subtracts = is_y == o_cw;
+    wire [N-1:0] integrand = is_y ? o_x : o_y;
+    wire [N-1:0] remainder = is_y ? o_jry : o_jrx;
+    wire [N+1:0] sum       = {2'b00, remainder}
+                           + ({{2{integrand[N-1]}}, integrand} ^ {(N+2){subtracts}})
+                           + {{(N+1){1'b0}}, subtracts};
 
-    // Staggered: what y adds has x's pulse of this clock.
-    wire [N+1:0] x_fresh = px ? (sx ? x_wide - {2'b00, o_unit} : x_wide + {2'b00, o_unit}) : x_wide;
-    wire [N+1:0] sum_y   = {2'b00, o_jry} + (o_cw ? ~x_fresh + 1'b1 : x_fresh);
-    wire         carry_y = sum_y[N];
-    wire         py      = run & (stepping_out ? o_jey != 0 : carry_y & ~y_stands);
-    wire         sy      = stepping_out ? o_jey[N+1] : sum_y[N+1];
-    wire [N-1:0] y_next  = py ? (sy ? o_y - o_unit : o_y + o_unit) : o_y;
+    wire px = o_beat == MOVE_X & (o_stepping_out ? ~o_x_at_end : o_sum[N] & ~o_x_stands);
+    wire nx = o_stepping_out ? o_nx : o_sum[N+1];
+    wire py = o_beat == MOVE_Y & (o_stepping_out ? ~o_y_at_end : o_sum[N] & ~o_y_stands);
+    wire ny = o_stepping_out ? o_ny : o_sum[N+1];
 
     assign o_pulse    = {py, px};
-    assign o_negative = {sy, sx};
+    assign o_negative = {ny, nx};
+    assign o_done     = o_beat == ADD_X & is_last;
 
-    /* verilator lint_off PINCONNECTEMPTY */ // signed coordinates need no decoded directions
+    wire [N-1:0] x_next = o_x + (o_unit ^ {N{nx}}) + {{(N-1){1'b0}}, nx};
+    wire [N-1:0] y_next = o_y + (o_unit ^ {N{ny}}) + {{(N-1){1'b0}}, ny};
+
     sweep #(.N(N)) sweep (
         .i_clk         (i_clk),
         .i_rst         (i_rst),
@@ -75,47 +95,71 @@ module dda_centred_arc #(
         .i_cw          (i_cw),
         .i_jex         (i_jex),
         .i_jey         (i_jey),
-        .i_en          (run),
-        .i_px          (px),
-        .i_nx          (sx),
-        .i_py          (py),
-        .i_ny          (sy),
+        .i_look        (begins),
         .i_x_is_zero   (o_x == 0),
         .i_y_is_zero   (o_y == 0),
-        .i_x_gets_zero (x_next == 0),
-        .i_y_gets_zero (y_next == 0),
-        .o_towards_is_y(),
-        .o_nx          (),
-        .o_ny          (),
-        .o_x_stands    (x_stands),
-        .o_y_stands    (y_stands),
-        .o_stepping_out(stepping_out),
-        .o_done        (o_done),
+        .i_px          (px),
+        .i_nx          (nx),
+        .i_py          (py),
+        .i_ny          (ny),
+        .o_done        (is_last),
         .o_quadrant    (o_quadrant),
         .o_crossings   (o_crossings),
         .o_cw          (o_cw),
         .o_jex         (o_jex),
-        .o_jey         (o_jey)
+        .o_jey         (o_jey),
+        .o_last        (o_last),
+        .o_towards_is_y(o_towards_is_y),
+        .o_feeds_nx    (o_feeds_nx),
+        .o_feeds_ny    (o_feeds_ny),
+        .o_x_at_end    (o_x_at_end),
+        .o_y_at_end    (o_y_at_end),
+        .o_x_stands    (o_x_stands),
+        .o_y_stands    (o_y_stands),
+        .o_stepping_out(o_stepping_out),
+        .o_nx          (o_nx),
+        .o_ny          (o_ny),
+        .o_x_shrinks   (o_x_shrinks),
+        .o_y_shrinks   (o_y_shrinks)
     );
-    /* verilator lint_on PINCONNECTEMPTY */
 
     always @(posedge i_clk)
         if (i_rst) begin
+            o_beat <= ADD_X;
             o_unit <= {N{1'b0}};
-            o_x   <= {N{1'b0}};
-            o_y   <= {N{1'b0}};
-            o_jrx <= {N{1'b0}};
-            o_jry <= {N{1'b0}};
+            o_x    <= {N{1'b0}};
+            o_y    <= {N{1'b0}};
+            o_jrx  <= {N{1'b0}};
+            o_jry  <= {N{1'b0}};
+            o_sum  <= {(N+2){1'b0}};
         end else if (i_load) begin
+            o_beat <= ADD_X;
             o_unit <= i_unit;
-            o_x   <= i_x;
-            o_y   <= i_y;
-            o_jrx <= i_jrx;
-            o_jry <= i_jry;
-        end else if (run) begin
-            o_x <= x_next;
-            o_y <= y_next;
-            if (~stepping_out & ~x_stands) o_jrx <= sum_x[N-1:0];
-            if (~stepping_out & ~y_stands) o_jry <= sum_y[N-1:0];
+            o_x    <= i_x;
+            o_y    <= i_y;
+            o_jrx  <= i_jrx;
+            o_jry  <= i_jry;
+            o_sum  <= {(N+2){1'b0}};
+        end else begin
+            case (o_beat)
+                ADD_X:   if (begins) begin
+                    o_beat <= {1'b0, ~is_last};
+                    o_sum  <= sum;
+                end
+                MOVE_X:  begin
+                    o_beat <= ADD_Y;
+                    if (~o_stepping_out & ~o_x_stands) o_jrx <= o_sum[N-1:0];
+                end
+                ADD_Y:   begin
+                    o_beat <= MOVE_Y;
+                    o_sum  <= sum;
+                end
+                default: begin
+                    o_beat <= ADD_X;
+                    if (~o_stepping_out & ~o_y_stands) o_jry <= o_sum[N-1:0];
+                end
+            endcase
+            if (px) o_x <= x_next;
+            if (py) o_y <= y_next;
         end
 endmodule

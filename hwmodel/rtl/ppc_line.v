@@ -11,7 +11,7 @@ module ppc_line #(
 ) (
     input  wire         i_clk,
     input  wire         i_rst,
-    // pulse source
+    // pulse source: begins a step, when none is under way
     input  wire         i_en,
     // command: end point, end rule (0 total, 1 per axis, 2 larger), and what E counts
     input  wire         i_load,
@@ -44,35 +44,35 @@ module ppc_line #(
     wire       y_done = o_jey == 0;
     wire       counted_out = o_rule == PER_AXIS ? x_done & y_done : o_e == 0;
     wire       counts = o_rule == TOTAL | (o_rule != PER_AXIS & (o_larger_is_y ^ o_fx));
-    wire       run = i_en & ~o_done;
+    wire       run = o_beat != JUDGE | (i_en & ~counted_out);
     wire [N:0] change = o_fx ? ~{1'b0, o_end_y} + 1'b1 : {1'b0, o_end_x};
 
     assign o_done  = o_beat == JUDGE & counted_out;
-    assign o_pulse = {~o_fx, o_fx} & {2{i_en & o_beat == FEED}};
+    assign o_pulse = {~o_fx, o_fx} & {2{o_beat == FEED}};
 
     always @(posedge i_clk)
         if (i_rst) begin
-            o_beat      <= JUDGE;
-            o_fx        <= 1'b1;
-            o_f         <= {(N+1){1'b0}};
-            o_end_x     <= {N{1'b0}};
-            o_end_y     <= {N{1'b0}};
-            o_jex       <= {N{1'b0}};
-            o_jey       <= {N{1'b0}};
-            o_e         <= {(N+1){1'b0}};
-            o_negative  <= 2'b00;
+            o_beat        <= JUDGE;
+            o_fx          <= 1'b1;
+            o_f           <= {(N+1){1'b0}};
+            o_end_x       <= {N{1'b0}};
+            o_end_y       <= {N{1'b0}};
+            o_jex         <= {N{1'b0}};
+            o_jey         <= {N{1'b0}};
+            o_e           <= {(N+1){1'b0}};
+            o_negative    <= 2'b00;
             o_rule        <= TOTAL;
             o_larger_is_y <= 1'b0;
         end else if (i_load) begin
-            o_beat      <= JUDGE;
-            o_fx        <= 1'b1;
-            o_f         <= {(N+1){1'b0}};
-            o_end_x     <= i_end_x;
-            o_end_y     <= i_end_y;
-            o_jex       <= i_end_x;
-            o_jey       <= i_end_y;
-            o_e         <= i_e;
-            o_negative  <= i_negative;
+            o_beat        <= JUDGE;
+            o_fx          <= 1'b1;
+            o_f           <= {(N+1){1'b0}};
+            o_end_x       <= i_end_x;
+            o_end_y       <= i_end_y;
+            o_jex         <= i_end_x;
+            o_jey         <= i_end_y;
+            o_e           <= i_e;
+            o_negative    <= i_negative;
             o_rule        <= i_rule;
             o_larger_is_y <= i_larger_is_y;
         end else if (run) begin

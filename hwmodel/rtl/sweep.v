@@ -3,7 +3,11 @@
 // The end counters hold the signed distance to the end point and count with every pulse. Before
 // the last quadrant they stop nothing; in it, an axis whose counter is zero or has run through
 // stands. When both stand, or one stands on a coordinate axis where it would feed the other
-// nothing for ever, what is left is stepped out, a pulse a clock on each axis.
+// nothing for ever, what is left is stepped out, a pulse a cycle on each axis.
+//
+// Once a cycle the engine has it look where the arc is: a quadrant that has been run through is
+// left, and what the cycle needs to know of counters, coordinates and quadrant is put into
+// flip-flops. So the zero detectors have a clock for themselves, and the adders have the next.
 module sweep #(
     parameter N = 24
 ) (
@@ -16,56 +20,65 @@ module sweep #(
     input  wire           i_cw,
     input  wire [N+1:0]   i_jex,
     input  wire [N+1:0]   i_jey,
-    // the pulses of this clock, taken at the edge that ends it
-    input  wire           i_en,
+    // look: which coordinates are zero
+    input  wire           i_look,
+    input  wire           i_x_is_zero,
+    input  wire           i_y_is_zero,
+    // pulses to be counted, and their directions
     input  wire           i_px,
     input  wire           i_nx,
     input  wire           i_py,
     input  wire           i_ny,
-    // whether the coordinates are zero: now, and after this clock's pulses
-    input  wire           i_x_is_zero,
-    input  wire           i_y_is_zero,
-    input  wire           i_x_gets_zero,
-    input  wire           i_y_gets_zero,
-    // decoded: the axis fed towards zero (the other is fed away), each axis' direction
-    output wire           o_towards_is_y,
-    output wire           o_nx,
-    output wire           o_ny,
-    output wire           o_x_stands,
-    output wire           o_y_stands,
-    output wire           o_stepping_out,
     output wire           o_done,
     // registers
     output reg  [1:0]     o_quadrant,
     output reg  [2:0]     o_crossings,
     output reg            o_cw,
     output reg  [N+1:0]   o_jex,
-    output reg  [N+1:0]   o_jey
+    output reg  [N+1:0]   o_jey,
+    // the quadrant decoded: whether it is the last, the axis fed towards zero (the other is fed
+    // away from it), the signs of the axes' pulses
+    output reg            o_last,
+    output reg            o_towards_is_y,
+    output reg            o_feeds_nx,
+    output reg            o_feeds_ny,
+    // what the last look saw: counters at zero, axes that stand, and that what is left is to be
+    // stepped out
+    output reg            o_x_at_end,
+    output reg            o_y_at_end,
+    output reg            o_x_stands,
+    output reg            o_y_stands,
+    output reg            o_stepping_out,
+    // this cycle's pulses as the quadrant has them: their directions, and whether they make their coordinates smaller
+    output reg            o_nx,
+    output reg            o_ny,
+    output reg            o_x_shrinks,
+    output reg            o_y_shrinks
 );
-    // Quadrants I, II, III, IV are 0 to 3, counter-clockwise.
-    assign o_towards_is_y = o_quadrant[0] ^ o_cw;
-    assign o_nx           = ~o_quadrant[1] ^ o_cw;
-    assign o_ny           = o_quadrant[1] ^ o_quadrant[0] ^ o_cw;
+    assign o_done = o_last & o_jex == 0 & o_jey == 0;
 
-    wire last   = o_crossings == 0;
-    wire x_done = o_jex == 0;
-    wire y_done = o_jey == 0;
-
-    assign o_x_stands     = last & (x_done | (o_jex[N+1] ^ o_nx));
-    assign o_y_stands     = last & (y_done | (o_jey[N+1] ^ o_ny));
-    assign o_stepping_out = (o_x_stands & o_y_stands)
-                          | (o_x_stands & i_x_is_zero)
-                          | (o_y_stands & i_y_is_zero);
-    assign o_done         = last & x_done & y_done;
-
-    wire towards_gets_zero = o_towards_is_y ? i_y_gets_zero : i_x_gets_zero;
-    wire away_gets_zero    = o_towards_is_y ? i_x_gets_zero : i_y_gets_zero;
+    wire towards_is_zero = o_towards_is_y ? i_y_is_zero : i_x_is_zero;
+    wire away_is_zero    = o_towards_is_y ? i_x_is_zero : i_y_is_zero;
     // The circle of radius 1 steps through its centre: the quadrant being left is kept there.
-    wire crosses           = ~last & towards_gets_zero & ~away_gets_zero;
+    wire crosses         = ~o_last & towards_is_zero & ~away_is_zero;
+
+    // The quadrant after this look, or after the load: I, II, III, IV are 0 to 3, counter-clockwise.
+    // At a crossing, what was fed away from zero is fed towards it.
+    wire last         = i_load ? i_crossings == 0 : crosses ? o_crossings == 1 : o_last;
+    wire towards_is_y = i_load ? i_quadrant[0] ^ i_cw : o_towards_is_y ^ crosses;
+    wire feeds_nx     = i_load ? ~i_quadrant[1] ^ i_cw : o_feeds_nx ^ (crosses & o_towards_is_y);
+    wire feeds_ny     = i_load ? i_quadrant[1] ^ i_quadrant[0] ^ i_cw
+                               : o_feeds_ny ^ (crosses & ~o_towards_is_y);
+    wire x_at_end     = i_load ? i_jex == 0 : o_jex == 0;
+    wire y_at_end     = i_load ? i_jey == 0 : o_jey == 0;
+    wire x_back       = i_load ? i_jex[N+1] : o_jex[N+1];
+    wire y_back       = i_load ? i_jey[N+1] : o_jey[N+1];
+    wire x_stands     = last & (x_at_end | (x_back ^ feeds_nx));
+    wire y_stands     = last & (y_at_end | (y_back ^ feeds_ny));
 
     // -1 for a positive pulse, +1 for a negative one.
-    wire [N+1:0] count_x = {{(N+1){i_px & ~i_nx}}, i_px};
-    wire [N+1:0] count_y = {{(N+1){i_py & ~i_ny}}, i_py};
+    wire [N+1:0] count_x = {{(N+1){~i_nx}}, 1'b1};
+    wire [N+1:0] count_y = {{(N+1){~i_ny}}, 1'b1};
 
     always @(posedge i_clk)
         if (i_rst) begin
@@ -80,12 +93,46 @@ module sweep #(
             o_cw        <= i_cw;
             o_jex       <= i_jex;
             o_jey       <= i_jey;
-        end else if (i_en) begin
-            o_jex <= o_jex + count_x;
-            o_jey <= o_jey + count_y;
-            if (crosses) begin
+        end else begin
+            if (i_px) o_jex <= o_jex + count_x;
+            if (i_py) o_jey <= o_jey + count_y;
+            if (i_look & crosses) begin
                 o_quadrant  <= o_cw ? o_quadrant - 2'd1 : o_quadrant + 2'd1;
                 o_crossings <= o_crossings - 3'd1;
             end
+        end
+
+    always @(posedge i_clk)
+        if (i_rst) begin
+            o_last         <= 1'b1;
+            o_towards_is_y <= 1'b0;
+            o_feeds_nx     <= 1'b1;
+            o_feeds_ny     <= 1'b0;
+            o_x_at_end     <= 1'b1;
+            o_y_at_end     <= 1'b1;
+            o_x_stands     <= 1'b1;
+            o_y_stands     <= 1'b1;
+            o_stepping_out <= 1'b1;
+            o_nx           <= 1'b0;
+            o_ny           <= 1'b0;
+            o_x_shrinks    <= 1'b0;
+            o_y_shrinks    <= 1'b0;
+        end else if (i_load | i_look) begin
+            o_last         <= last;
+            o_towards_is_y <= towards_is_y;
+            o_feeds_nx     <= feeds_nx;
+            o_feeds_ny     <= feeds_ny;
+            o_x_at_end     <= x_at_end;
+            o_y_at_end     <= y_at_end;
+            o_x_stands     <= x_stands;
+            o_y_stands     <= y_stands;
+            o_stepping_out <= (x_stands & y_stands)
+                            | (~i_load & x_stands & i_x_is_zero)
+                            | (~i_load & y_stands & i_y_is_zero);
+            // In the last quadrant every pulse leads to the end point, stepped out or not.
+            o_nx           <= last ? x_back : feeds_nx;
+            o_ny           <= last ? y_back : feeds_ny;
+            o_x_shrinks    <= ~towards_is_y ^ (last & (x_back ^ feeds_nx));
+            o_y_shrinks    <= towards_is_y ^ (last & (y_back ^ feeds_ny));
         end
 endmodule

@@ -14,10 +14,15 @@ pub trait Circuit<const AXES: usize = 2> {
     /// The pulse wires during this clock.
     fn pulses(&self) -> Pulse<AXES>;
 
-    /// The done wire: the end counters stand, and clock edges change nothing any more.
+    /// The done wire: the end counters stand, no cycle is under way, and no pulse follows.
     fn done(&self) -> bool;
 
-    /// A clock edge: every register takes its next content at once. Returns the pulses of the
+    /// Whether a cycle is under way: its further clocks do not wait for the pulse source.
+    fn is_mid_cycle(&self) -> bool {
+        false
+    }
+
+    /// A clock edge with the pulse source: every register takes its next content at once. Returns the pulses of the
     /// clock that it ends.
     fn clock(&mut self) -> Pulse<AXES>;
 

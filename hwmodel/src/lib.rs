@@ -9,8 +9,8 @@
 //! | circuit | clocks a cycle | as in the core |
 //! |---|---|---|
 //! | [`dda::Line`] | 1 | [`onepulse_core::dda::Line`], radix 2 |
-//! | [`dda::Arc`] | 1 | [`onepulse_core::dda::Arc`] |
-//! | [`dda::CentredArc`] | 1 | [`onepulse_core::dda::CentredArc`] |
+//! | [`dda::Arc`] | 2: add, correct | [`onepulse_core::dda::Arc`] |
+//! | [`dda::CentredArc`] | 4: add and move, x and y | [`onepulse_core::dda::CentredArc`] |
 //! | [`ppc::Line`], [`ppc::Arc`] | 4, one a beat | [`onepulse_core::ppc`] |
 //! | [`brm::Line`] | 1 | [`onepulse_core::brm::Line`] |
 //!

@@ -2,12 +2,14 @@
 
 use crate::trace::{Kind, Probe};
 use crate::word::wrap;
-use onepulse_core::{self as software, Axis, Direction, Error, Feeds, Pulse, Quadrant};
+use onepulse_core::{self as software, Axis, Direction, Error, Feeds, Quadrant};
 
 /// The sweep control registers that every arc circuit contains.
 ///
 /// The end counters JEx and JEy hold the signed distance to the end point and count with every
-/// pulse; the crossing counter tells when they may stop their axes.
+/// pulse. Once a cycle the circuit *looks* where the arc is: a quadrant that has been run through
+/// is left, and what the cycle needs to know of counters, coordinates and quadrant goes into
+/// flip-flops, so that zero detectors and adders have a clock each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sweep {
     quadrant: Quadrant,
@@ -15,8 +17,28 @@ pub struct Sweep {
     crossings: u8,
     /// End counters, n + 2 bits, signed.
     je: [i64; 2],
+    /// Whether the axis fed towards zero is y; x is fed away from it then.
+    towards_is_y: bool,
+    /// Whether the quadrant feeds each axis in its negative direction.
+    feeds_negative: [bool; 2],
+    looked: Looked,
     direction: Direction,
     bits: u32,
+}
+
+/// What the last look saw, an axis each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Looked {
+    /// The end counter was zero.
+    at_end: [bool; 2],
+    /// In the last quadrant, the end counter was zero or had run through: the axis stands.
+    stands: [bool; 2],
+    /// What is left is stepped out.
+    stepping_out: bool,
+    /// The direction of this cycle's pulse, if there is one.
+    negative: [bool; 2],
+    /// Whether that pulse makes the magnitude of its coordinate smaller.
+    shrinks: [bool; 2],
 }
 
 impl Sweep {
@@ -30,13 +52,39 @@ impl Sweep {
     ) -> Result<Self, Error> {
         let sweep = software::Sweep::new(start, end, direction)?;
         let distance = |axis: usize| i64::from(end[axis]) - i64::from(start[axis]);
-        Ok(Self {
-            quadrant: sweep.quadrant(),
-            crossings: sweep.crossings_left(),
-            je: [wrap(distance(0), bits + 2), wrap(distance(1), bits + 2)],
+        let je = [distance(0), distance(1)];
+        Ok(Self::loaded(sweep.quadrant(), sweep.crossings_left(), je, direction, bits))
+    }
+
+    /// The registers after a load of these contents.
+    pub(crate) fn loaded(
+        quadrant: Quadrant,
+        crossings: u8,
+        je: [i64; 2],
+        direction: Direction,
+        bits: u32,
+    ) -> Self {
+        let Feeds { towards, away } = quadrant.feeds(direction);
+        let towards_is_y = towards.axis == Axis::Y;
+        let (x, y) = if towards_is_y { (away, towards) } else { (towards, away) };
+        let mut sweep = Self {
+            quadrant,
+            crossings,
+            je: je.map(|je| wrap(je, bits + 2)),
+            towards_is_y,
+            feeds_negative: [x.sign < 0, y.sign < 0],
+            looked: Looked {
+                at_end: [true; 2],
+                stands: [true; 2],
+                stepping_out: true,
+                negative: [false; 2],
+                shrinks: [false; 2],
+            },
             direction,
             bits,
-        })
+        };
+        sweep.looked = sweep.see([false; 2]);
+        sweep
     }
 
     /// The sense flip-flop.
@@ -44,87 +92,114 @@ impl Sweep {
         self.direction
     }
 
-    /// The decoder from quadrant and sense to the axes' motions.
-    pub(crate) const fn feeds(&self) -> Feeds {
-        self.quadrant.feeds(self.direction)
-    }
-
-    /// The decoder's outputs by axis: the sign of its pulses in this quadrant.
-    #[inline]
-    pub(crate) const fn signs(&self) -> [i8; 2] {
-        let Feeds { towards, away } = self.feeds();
-        match towards.axis {
-            Axis::X => [towards.sign, away.sign],
-            Axis::Y => [away.sign, towards.sign],
-        }
-    }
-
-    /// By how much a pulse changes the magnitude of its axis' coordinate: a pulse towards zero
-    /// makes it smaller, one away from it larger; stepping out may go against the quadrant's
-    /// direction.
-    #[inline]
-    pub(crate) const fn growth(&self, Pulse([x, y]): Pulse) -> [i64; 2] {
-        let [sx, sy] = self.signs();
-        let (gx, gy) = match self.feeds().towards.axis {
-            Axis::X => (-1, 1),
-            Axis::Y => (1, -1),
-        };
-        [(x * sx) as i64 * gx, (y * sy) as i64 * gy]
+    /// Which axis is fed towards zero.
+    pub(crate) const fn towards(&self) -> Axis {
+        if self.towards_is_y { Axis::Y } else { Axis::X }
     }
 
     /// Each axis' stop wire: in the last quadrant, its end counter is zero or has run through.
     #[inline]
     pub(crate) const fn stands(&self) -> [bool; 2] {
-        let [sx, sy] = self.signs();
-        let [x, y] = self.je;
-        let is_last = self.crossings == 0;
-        [is_last && x * sx as i64 <= 0, is_last && y * sy as i64 <= 0]
+        self.looked.stands
     }
 
-    /// The wire that ends integration, from the stop wires and each coordinate's zero detector.
-    pub(crate) const fn is_stepping_out(stands: [bool; 2], is_zero: [bool; 2]) -> bool {
-        match stands {
-            [true, true] => true,
-            [true, false] => is_zero[0],
-            [false, true] => is_zero[1],
-            [false, false] => false,
-        }
+    /// Whether each end counter is zero.
+    pub(crate) const fn at_end(&self) -> [bool; 2] {
+        self.looked.at_end
     }
 
-    /// A pulse on every axis whose end counter is not zero.
-    pub(crate) const fn step_out(&self) -> Pulse {
-        Pulse([self.je[0].signum() as i8, self.je[1].signum() as i8])
+    /// Integration has nothing more to do: both axes stand, or one stands on a coordinate axis,
+    /// where it would feed the other nothing for ever. Each axis that is not at its end is sent a
+    /// pulse.
+    #[inline]
+    pub(crate) const fn is_stepping_out(&self) -> bool {
+        self.looked.stepping_out
+    }
+
+    /// By how much this cycle's pulse of an axis changes the magnitude of its coordinate.
+    #[inline]
+    pub(crate) const fn growth(&self, axis: usize) -> i64 {
+        if self.looked.shrinks[axis] { -1 } else { 1 }
+    }
+
+    /// The sign of this cycle's pulse of an axis, as the quadrant has it or as it is stepped out.
+    #[inline]
+    pub(crate) const fn sign(&self, axis: usize) -> i8 {
+        if self.looked.negative[axis] { -1 } else { 1 }
     }
 
     /// The done wire.
+    #[inline]
     pub(crate) const fn done(&self) -> bool {
         self.crossings == 0 && self.je[0] == 0 && self.je[1] == 0
     }
 
-    /// The next contents after `pulse`, when the coordinates' zero detectors then show `is_zero`.
-    pub(crate) fn next(&self, pulse: Pulse, is_zero: [bool; 2]) -> Self {
-        let [towards_is_zero, away_is_zero] = match self.feeds().towards.axis {
-            Axis::X => is_zero,
-            Axis::Y => [is_zero[1], is_zero[0]],
-        };
-        let crosses = self.crossings > 0 && towards_is_zero && !away_is_zero;
-        let Pulse([px, py]) = pulse;
-        let [jex, jey] = self.je;
-        let count = |je: i64, pulse: i8| wrap(je - i64::from(pulse), self.bits + 2);
-        Self {
-            quadrant: if crosses { self.quadrant.next(self.direction) } else { self.quadrant },
-            crossings: self.crossings - u8::from(crosses),
-            je: [count(jex, px), count(jey, py)],
-            ..*self
+    /// The next contents after a look, when the coordinates' zero detectors show `is_zero`.
+    #[inline]
+    pub(crate) fn look(&self, is_zero: [bool; 2]) -> Self {
+        let mut next = *self;
+        let [towards, away] = if self.towards_is_y { [1, 0] } else { [0, 1] };
+        // The circle of radius 1 steps through its centre: the quadrant being left is kept there.
+        if self.crossings > 0 && is_zero[towards] && !is_zero[away] {
+            next.quadrant = self.quadrant.next(self.direction);
+            next.crossings -= 1;
+            // What was fed away from zero is fed towards it now.
+            next.towards_is_y ^= true;
+            next.feeds_negative[away] ^= true;
         }
+        next.looked = next.see(is_zero);
+        next
+    }
+
+    #[inline]
+    fn see(&self, is_zero: [bool; 2]) -> Looked {
+        let is_last = self.crossings == 0;
+        let at_end = [self.je[0] == 0, self.je[1] == 0];
+        let back = [self.je[0] < 0, self.je[1] < 0];
+        let feeds = self.feeds_negative;
+        let runs_back = [is_last && back[0] != feeds[0], is_last && back[1] != feeds[1]];
+        let stands = [is_last && at_end[0] || runs_back[0], is_last && at_end[1] || runs_back[1]];
+        Looked {
+            at_end,
+            stands,
+            stepping_out: match stands {
+                [true, true] => true,
+                [true, false] => is_zero[0],
+                [false, true] => is_zero[1],
+                [false, false] => false,
+            },
+            // In the last quadrant every pulse leads to the end point, stepped out or not.
+            negative: [feeds[0] != runs_back[0], feeds[1] != runs_back[1]],
+            shrinks: [self.towards_is_y == runs_back[0], self.towards_is_y != runs_back[1]],
+        }
+    }
+
+    /// The next contents of an axis' end counter after a pulse of this sign.
+    #[inline]
+    pub(crate) fn count(&mut self, axis: usize, sign: i8) {
+        self.je[axis] = wrap(self.je[axis] - i64::from(sign), self.bits + 2);
     }
 
     pub(crate) fn probe(&self, probe: &mut impl Probe) {
         const WORDS: &[&str] = &["I", "II", "III", "IV"];
         probe.signal("quadrant", Kind::Word(WORDS), self.quadrant as u64);
         probe.signal("crossings", Kind::Unsigned(3), u64::from(self.crossings));
+        probe.signal("cw", Kind::Bit, u64::from(self.direction == Direction::Cw));
         for axis in 0..2 {
             probe.axis_signal("je", axis, Kind::Signed(self.bits + 2), self.je[axis] as u64);
         }
+        probe.signal("last", Kind::Bit, u64::from(self.crossings == 0));
+        probe.signal("towards_is_y", Kind::Bit, u64::from(self.towards_is_y));
+        let mut flags = |stem, flags: [bool; 2]| {
+            for axis in 0..2 {
+                probe.axis_signal(stem, axis, Kind::Bit, u64::from(flags[axis]));
+            }
+        };
+        flags("feeds_n", self.feeds_negative);
+        flags("at_end_", self.looked.at_end);
+        flags("stands_", self.looked.stands);
+        flags("n", self.looked.negative);
+        flags("shrinks_", self.looked.shrinks);
+        probe.signal("stepping_out", Kind::Bit, u64::from(self.looked.stepping_out));
     }
 }

@@ -27,8 +27,16 @@ pub struct Options {
 }
 
 /// The modules with properties.
-const MODULES: [&str; 7] =
-    ["dda_line", "dda_arc", "dda_centred_arc", "ppc_line", "brm_line", "step_dir", "command_fifo"];
+const MODULES: [&str; 8] = [
+    "dda_line",
+    "dda_arc",
+    "dda_centred_arc",
+    "ppc_line",
+    "ppc_arc",
+    "brm_line",
+    "step_dir",
+    "command_fifo",
+];
 
 /// The register widths that are checked; the properties say nothing of the width.
 const WIDTHS: [u32; 3] = [8, 24, 32];
@@ -57,17 +65,20 @@ const MUTANTS: &[(&str, Mutant)] = &[
     ),
     mutant("dda_line", "integrator.v", "o_carry = sum[N]", "o_carry = sum[N-1]"),
     mutant("dda_line", "dda_line.v", "run = i_en & ~o_done", "run = i_en"),
-    mutant("dda_arc", "dda_arc.v", "carry_x & ~x_stands", "carry_x"),
+    mutant("dda_arc", "dda_arc.v", "o_sumx[N] & ~o_x_stands", "o_sumx[N]"),
     mutant("dda_arc", "sweep.v", "o_jey <= o_jey + count_y;", "o_jey <= o_jey;"),
-    mutant("dda_centred_arc", "dda_centred_arc.v", "{2'b00, o_jry}", "{2'b00, o_jrx}"),
+    mutant("dda_arc", "sweep.v", "crosses & o_towards_is_y", "crosses & ~o_towards_is_y"),
+    mutant("dda_centred_arc", "dda_centred_arc.v", "is_y ? o_jry : o_jrx", "o_jrx"),
     mutant(
         "dda_centred_arc",
         "dda_centred_arc.v",
-        "stepping_out ? o_jex[N+1] : sum_x[N+1]",
-        "sum_x[N+1]",
+        "o_stepping_out ? o_nx : o_sum[N+1]",
+        "o_sum[N+1]",
     ),
     mutant("ppc_line", "ppc_line.v", "(~o_f[N] & ~x_done) | y_done", "~o_f[N]"),
     mutant("ppc_line", "ppc_line.v", "o_f <= o_f + change;", "o_f <= o_f - change;"),
+    mutant("ppc_arc", "ppc_arc.v", "shrinks ? FEED : UPDATE", "UPDATE"),
+    mutant("ppc_arc", "ppc_arc.v", "~o_f[N+1] & ~towards_stands", "~o_f[N+1]"),
     mutant("brm_line", "brm_line.v", "next & ~{1'b0, o_divider}", "next"),
     mutant("step_dir", "step_dir.v", "o_step ? i_space : i_length", "i_space"),
     mutant("step_dir", "step_dir.v", "o_step ? i_hold : i_setup", "i_setup"),

@@ -21,31 +21,39 @@ module dda_arc_props #(
     always @(posedge clk) first <= 1'b0;
 
     wire [1:0]   pulse, negative, quadrant_q;
-    wire         done, cw_q;
+    wire         done, beat;
     wire [N-1:0] unit_q;
     wire [2:0]   crossings_q;
     wire [N-1:0] jvx_q, jvy_q, jrx_q, jry_q;
+    wire [N:0]   sumx_q, sumy_q;
     wire [N+1:0] jex_q, jey_q;
+    wire cw_q, last_q, towards_is_y_q, feeds_nx_q, feeds_ny_q, x_at_end_q, y_at_end_q,
+         x_stands_q, y_stands_q, stepping_out_q, nx_q, ny_q, x_shrinks_q, y_shrinks_q;
 
     dda_arc #(.N(N)) arc (
         .i_clk(clk), .i_rst(first), .i_en(en), .i_load(load), .i_jvx(jvx), .i_jvy(jvy),
         .i_preset(preset), .i_unit(unit), .i_quadrant(quadrant), .i_crossings(crossings),
         .i_cw(cw), .i_jex(jex), .i_jey(jey), .o_pulse(pulse), .o_negative(negative),
-        .o_done(done), .o_unit(unit_q), .o_cw(cw_q), .o_jvx(jvx_q), .o_jvy(jvy_q), .o_jrx(jrx_q), .o_jry(jry_q),
-        .o_quadrant(quadrant_q), .o_crossings(crossings_q), .o_jex(jex_q), .o_jey(jey_q)
+        .o_done(done), .o_beat(beat), .o_unit(unit_q), .o_jvx(jvx_q), .o_jvy(jvy_q),
+        .o_jrx(jrx_q), .o_jry(jry_q), .o_sumx(sumx_q), .o_sumy(sumy_q),
+        .o_quadrant(quadrant_q), .o_crossings(crossings_q), .o_jex(jex_q), .o_jey(jey_q),
+        .o_cw(cw_q), .o_last(last_q), .o_towards_is_y(towards_is_y_q),
+        .o_feeds_nx(feeds_nx_q), .o_feeds_ny(feeds_ny_q), .o_x_at_end(x_at_end_q),
+        .o_y_at_end(y_at_end_q), .o_x_stands(x_stands_q), .o_y_stands(y_stands_q),
+        .o_stepping_out(stepping_out_q), .o_nx(nx_q), .o_ny(ny_q),
+        .o_x_shrinks(x_shrinks_q), .o_y_shrinks(y_shrinks_q)
     );
 
-    // The sweep's decoder once more, from the outputs.
-    wire nx = ~quadrant_q[1] ^ cw_q;
-    wire ny = quadrant_q[1] ^ quadrant_q[0] ^ cw_q;
-    wire last = crossings_q == 0;
-    wire x_stands = last & (jex_q == 0 | (jex_q[N+1] ^ nx));
-    wire y_stands = last & (jey_q == 0 | (jey_q[N+1] ^ ny));
-    wire stepping_out = (x_stands & y_stands) | (x_stands & jvy_q == 0) | (y_stands & jvx_q == 0);
-    wire adds_x = en & ~done & ~stepping_out & ~x_stands;
-    wire adds_y = en & ~done & ~stepping_out & ~y_stands;
+    // The sweep's decoder once more, from the other outputs.
+    wire last     = crossings_q == 0;
+    wire feeds_nx = ~quadrant_q[1] ^ cw_q;
+    wire feeds_ny = quadrant_q[1] ^ quadrant_q[0] ^ cw_q;
+    wire x_stands = last & (jex_q == 0 | (jex_q[N+1] ^ feeds_nx));
+    wire y_stands = last & (jey_q == 0 | (jey_q[N+1] ^ feeds_ny));
 
     // Net pulses, and the exact sums that the remainders come from (stepping out adds none).
+    wire         adds_x = beat & ~stepping_out_q & ~x_stands;
+    wire         adds_y = beat & ~stepping_out_q & ~y_stands;
     reg  [N+1:0] net_x = 0, net_y = 0, far_x = 0, far_y = 0;
     reg  [M-1:0] sum_x = 0, sum_y = 0, carries_x = 0, carries_y = 0;
     always @(posedge clk)
@@ -68,13 +76,30 @@ module dda_arc_props #(
         end
 
     always @* if (!first) begin
-        assert (!((done | ~en) & pulse != 0));
+        // What is kept decoded is what the quadrant says.
+        assert (last_q == last);
+        assert (towards_is_y_q == (quadrant_q[0] ^ cw_q));
+        assert (feeds_nx_q == feeds_nx && feeds_ny_q == feeds_ny);
+        // In the second beat the last look and the sums are up to date.
+        if (beat) begin
+            assert (x_at_end_q == (jex_q == 0) && y_at_end_q == (jey_q == 0));
+            assert (x_stands_q == x_stands && y_stands_q == y_stands);
+            assert (!stepping_out_q | x_stands | y_stands);
+            assert (stepping_out_q == ((x_stands & y_stands) | (x_stands & jvy_q == 0)
+                                                             | (y_stands & jvx_q == 0)));
+            assert (nx_q == (last ? jex_q[N+1] : feeds_nx));
+            assert (ny_q == (last ? jey_q[N+1] : feeds_ny));
+            assert (sumx_q == {1'b0, jrx_q} + {1'b0, jvx_q});
+            assert (sumy_q == {1'b0, jry_q} + {1'b0, jvy_q});
+        end
+        // Pulses belong to the second beat, and none follows the end.
+        assert (!((done | ~beat) & pulse != 0));
         // In the last quadrant no pulse of an axis whose end counter is spent.
-        assert (!(crossings_q == 0 & jex_q == 0 & pulse[0]));
-        assert (!(crossings_q == 0 & jey_q == 0 & pulse[1]));
+        assert (!(last & jex_q == 0 & pulse[0]));
+        assert (!(last & jey_q == 0 & pulse[1]));
         // Stepping out leads to the end point.
-        if (stepping_out & pulse[0]) assert (negative[0] == jex_q[N+1]);
-        if (stepping_out & pulse[1]) assert (negative[1] == jey_q[N+1]);
+        if (stepping_out_q & pulse[0]) assert (negative[0] == jex_q[N+1]);
+        if (stepping_out_q & pulse[1]) assert (negative[1] == jey_q[N+1]);
         // Pulses and end counter together are the way that was asked for: done means there.
         assert (net_x + jex_q == far_x);
         assert (net_y + jey_q == far_y);

@@ -1,4 +1,4 @@
-// What the centred staggered arc always does, for every command.
+// What the centred staggered arc always does, for every command, sensible or not.
 module dda_centred_arc_props #(
     parameter N = 24
 ) (
@@ -21,37 +21,42 @@ module dda_centred_arc_props #(
     reg first = 1'b1;
     always @(posedge clk) first <= 1'b0;
 
-    wire [1:0]   pulse, negative, quadrant_q;
-    wire         done, cw_q;
+    wire [1:0]   pulse, negative, beat, quadrant_q;
+    wire         done;
     wire [N-1:0] unit_q;
     wire [2:0]   crossings_q;
     wire [N-1:0] x_q, y_q, jrx_q, jry_q;
-    wire [N+1:0] jex_q, jey_q;
+    wire [N+1:0] sum_q, jex_q, jey_q;
+    wire cw_q, last_q, towards_is_y_q, feeds_nx_q, feeds_ny_q, x_at_end_q, y_at_end_q,
+         x_stands_q, y_stands_q, stepping_out_q, nx_q, ny_q, x_shrinks_q, y_shrinks_q;
 
     dda_centred_arc #(.N(N)) arc (
         .i_clk(clk), .i_rst(first), .i_en(en), .i_load(load), .i_x(x), .i_y(y), .i_jrx(jrx),
         .i_jry(jry), .i_unit(unit), .i_quadrant(quadrant), .i_crossings(crossings), .i_cw(cw),
-        .i_jex(jex), .i_jey(jey), .o_pulse(pulse), .o_negative(negative), .o_done(done), .o_unit(unit_q), .o_cw(cw_q),
-        .o_x(x_q), .o_y(y_q), .o_jrx(jrx_q), .o_jry(jry_q), .o_quadrant(quadrant_q),
-        .o_crossings(crossings_q), .o_jex(jex_q), .o_jey(jey_q)
+        .i_jex(jex), .i_jey(jey), .o_pulse(pulse), .o_negative(negative), .o_done(done),
+        .o_beat(beat), .o_unit(unit_q), .o_x(x_q), .o_y(y_q), .o_jrx(jrx_q), .o_jry(jry_q),
+        .o_sum(sum_q), .o_quadrant(quadrant_q), .o_crossings(crossings_q), .o_jex(jex_q),
+        .o_jey(jey_q),
+        .o_cw(cw_q), .o_last(last_q), .o_towards_is_y(towards_is_y_q),
+        .o_feeds_nx(feeds_nx_q), .o_feeds_ny(feeds_ny_q), .o_x_at_end(x_at_end_q),
+        .o_y_at_end(y_at_end_q), .o_x_stands(x_stands_q), .o_y_stands(y_stands_q),
+        .o_stepping_out(stepping_out_q), .o_nx(nx_q), .o_ny(ny_q),
+        .o_x_shrinks(x_shrinks_q), .o_y_shrinks(y_shrinks_q)
     );
 
-    // The sweep's decoder once more, from the outputs.
-    wire nx = ~quadrant_q[1] ^ cw_q;
-    wire ny = quadrant_q[1] ^ quadrant_q[0] ^ cw_q;
-    wire last = crossings_q == 0;
-    wire x_stands = last & (jex_q == 0 | (jex_q[N+1] ^ nx));
-    wire y_stands = last & (jey_q == 0 | (jey_q[N+1] ^ ny));
-    wire stepping_out = (x_stands & y_stands) | (x_stands & x_q == 0) | (y_stands & y_q == 0);
-    wire adds_x = en & ~done & ~stepping_out & ~x_stands;
-    wire adds_y = en & ~done & ~stepping_out & ~y_stands;
+    // The sweep's decoder once more, from the other outputs.
+    wire last     = crossings_q == 0;
+    wire feeds_nx = ~quadrant_q[1] ^ cw_q;
+    wire feeds_ny = quadrant_q[1] ^ quadrant_q[0] ^ cw_q;
+    wire x_stands = last & (jex_q == 0 | (jex_q[N+1] ^ feeds_nx));
+    wire y_stands = last & (jey_q == 0 | (jey_q[N+1] ^ feeds_ny));
 
-    // What the remainders take: -y and the new x counter-clockwise, +y and minus the new x
+    // What the remainders take: -y, then the new x, counter-clockwise; +y, then minus the new x,
     // clockwise.
+    wire         adds_x = beat == 2'd1 & ~stepping_out_q & ~x_stands_q;
+    wire         adds_y = beat == 2'd3 & ~stepping_out_q & ~y_stands_q;
     wire [M-1:0] y_wide = {{(M-N){y_q[N-1]}}, y_q};
     wire [M-1:0] x_wide = {{(M-N){x_q[N-1]}}, x_q};
-    wire [M-1:0] step   = {{(M-N){1'b0}}, unit_q};
-    wire [M-1:0] x_new  = ~pulse[0] ? x_wide : negative[0] ? x_wide - step : x_wide + step;
     reg  [N+1:0] net_x = 0, net_y = 0, far_x = 0, far_y = 0;
     reg  [M-1:0] sum_x = 0, sum_y = 0, carries_x = 0, carries_y = 0;
     always @(posedge clk)
@@ -68,22 +73,44 @@ module dda_centred_arc_props #(
             if (pulse[0]) net_x <= negative[0] ? net_x - 1'b1 : net_x + 1'b1;
             if (pulse[1]) net_y <= negative[1] ? net_y - 1'b1 : net_y + 1'b1;
             if (adds_x) sum_x <= cw_q ? sum_x + y_wide : sum_x - y_wide;
-            if (adds_y) sum_y <= cw_q ? sum_y - x_new : sum_y + x_new;
+            if (adds_y) sum_y <= cw_q ? sum_y - x_wide : sum_y + x_wide;
             if (adds_x & pulse[0]) carries_x <= negative[0] ? carries_x - 1'b1 : carries_x + 1'b1;
             if (adds_y & pulse[1]) carries_y <= negative[1] ? carries_y - 1'b1 : carries_y + 1'b1;
         end
 
-    // A unit is 2^Q, and Q leaves the headroom bit.
-    always @* assume (~unit[N-1]);
-
     always @* if (!first) begin
-        assert (~unit_q[N-1]);
-        assert (!((done | ~en) & pulse != 0));
-        assert (!(crossings_q == 0 & jex_q == 0 & pulse[0]));
-        assert (!(crossings_q == 0 & jey_q == 0 & pulse[1]));
+        // What is kept decoded is what the quadrant says.
+        assert (last_q == last);
+        assert (towards_is_y_q == (quadrant_q[0] ^ cw_q));
+        assert (feeds_nx_q == feeds_nx && feeds_ny_q == feeds_ny);
+        // In the beats that move, what was looked at and added still holds.
+        if (beat != 2'd0) begin
+            assert (x_stands_q ? last : 1'b1);
+            assert (y_at_end_q == (jey_q == 0));
+            assert (y_stands_q == y_stands);
+            assert (ny_q == (last ? jey_q[N+1] : feeds_ny));
+            assert (!stepping_out_q | x_stands_q | y_stands_q);
+        end
+        if (beat == 2'd1) begin
+            assert (x_at_end_q == (jex_q == 0));
+            assert (x_stands_q == x_stands);
+            assert (stepping_out_q == ((x_stands & y_stands) | (x_stands & x_q == 0)
+                                                             | (y_stands & y_q == 0)));
+            assert (nx_q == (last ? jex_q[N+1] : feeds_nx));
+            assert (sum_q == {2'b00, jrx_q} + (cw_q ? y_wide[N+1:0] : -y_wide[N+1:0]));
+        end
+        if (beat == 2'd3)
+            assert (sum_q == {2'b00, jry_q} + (cw_q ? -x_wide[N+1:0] : x_wide[N+1:0]));
+        // The pulses: x in the second beat, y in the fourth, and none follows the end.
+        assert (!(pulse[0] & beat != 2'd1) && !(pulse[1] & beat != 2'd3));
+        assert (!(done & pulse != 0));
+        // In the last quadrant no pulse of an axis whose end counter is spent.
+        assert (!(last & jex_q == 0 & pulse[0]));
+        assert (!(last & jey_q == 0 & pulse[1]));
         // Stepping out leads to the end point.
-        if (stepping_out & pulse[0]) assert (negative[0] == jex_q[N+1]);
-        if (stepping_out & pulse[1]) assert (negative[1] == jey_q[N+1]);
+        if (stepping_out_q & pulse[0]) assert (negative[0] == jex_q[N+1]);
+        if (stepping_out_q & pulse[1]) assert (negative[1] == jey_q[N+1]);
+        // Pulses and end counter together are the way that was asked for: done means there.
         assert (net_x + jex_q == far_x);
         assert (net_y + jey_q == far_y);
         if (done) assert (net_x == far_x && net_y == far_y);

@@ -47,7 +47,7 @@ module ppc_line_props #(
 
     always @* if (!first) begin
         assert (rule == 2'd0);
-        assert (!((done | ~en) & pulse != 0));
+        assert (!((done | beat != 2'd1) & pulse != 0));
         // Never both axes: one pulse a step.
         assert (pulse != 2'b11);
         // Pulses and counter together are the end point: done means there, exactly.

@@ -7,14 +7,19 @@ use onepulse_core::dda::{self, Preset, Radix, Register};
 use onepulse_core::{Direction, Error, Pulse};
 
 /// Two crossed integrators: JVx follows |y|, JVy follows |x|, and each pulse corrects the
-/// integrand that follows its axis.
+/// integrand that follows its axis. Two clocks a cycle, with the sum registers between them, so
+/// that a carry does not have to run through two adders in one clock.
 ///
 /// ```text
-///         ┌─────┐   ┌───────┐ carry                ┌─────┐   ┌───────┐ carry
+///         ┌─────┐   ┌───────┐  Sx                  ┌─────┐   ┌───────┐  Sy
 ///    ┌───▶│ JVx ├──▶│ + JRx ├───────▶ Δx ──┐  ┌───▶│ JVy ├──▶│ + JRy ├───────▶ Δy ──┐
-///    │    └─────┘   └───────┘              │  │    └─────┘   └───────┘              │
+///    │    └─────┘   └───────┘   carry      │  │    └─────┘   └───────┘   carry      │
 ///    │    ±2^Q                             └──┘    ±2^Q                             │
 ///    └──────────────────────────────────────────────────────────────────────────────┘
+///
+///  add       Sx ← JRx + JVx, Sy ← JRy + JVy, n + 1 bits each
+///  correct   JRx, JRy take the sums; their carries are the pulses, which the integrands and
+///            the end counters take
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Arc {
@@ -25,19 +30,21 @@ pub struct Arc {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Registers {
+    beat: Beat,
     /// Integrands, n bits: |y|·2^Q and |x|·2^Q.
     jv: [u64; 2],
     /// Remainders, n bits.
     jr: [u64; 2],
+    /// Sums, n + 1 bits.
+    sum: [u64; 2],
     sweep: Sweep,
 }
 
-struct Wires {
-    /// What the remainder registers take if their axis is not stopped.
-    sum: [u64; 2],
-    stands: [bool; 2],
-    stepping_out: bool,
-    pulse: Pulse,
+/// The beats of a cycle, a clock each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Beat {
+    Add,
+    Correct,
 }
 
 impl Arc {
@@ -58,57 +65,72 @@ impl Arc {
         let shift = software.shift();
         let load = |c: i32| (u64::from(c.unsigned_abs()) << shift) & mask(bits);
         let registers = Registers {
+            beat: Beat::Add,
             jv: [load(start[1]), load(start[0])],
             jr: [match preset {
                 Preset::Zero => 0,
                 Preset::Half => 1 << (bits - 1),
                 Preset::Full => mask(bits),
             }; 2],
+            sum: [0; 2],
             sweep: Sweep::new(start, end, direction, bits)?,
         };
         Ok(Self { registers, bits, shift })
     }
 
-    fn wires(&self) -> Wires {
+    /// Whether each axis is sent a pulse in this clock.
+    #[inline]
+    const fn pulse(&self) -> [bool; 2] {
         let q = &self.registers;
-        let stands = q.sweep.stands();
-        let is_zero = is_zero(q.jv);
-        let stepping_out = Sweep::is_stepping_out(stands, is_zero);
-        let sum = [q.jr[0] + q.jv[0], q.jr[1] + q.jv[1]];
-        let pulse = if q.sweep.done() {
-            Pulse::NONE
-        } else if stepping_out {
-            q.sweep.step_out()
-        } else {
-            let [sx, sy] = q.sweep.signs();
-            let carries = |sum: u64, stands: bool| sum >> self.bits == 1 && !stands;
-            let x = if carries(sum[0], stands[0]) { sx } else { 0 };
-            let y = if carries(sum[1], stands[1]) { sy } else { 0 };
-            Pulse([x, y])
-        };
-        Wires { sum, stands, stepping_out, pulse }
+        match q.beat {
+            Beat::Add => [false; 2],
+            Beat::Correct if q.sweep.is_stepping_out() => {
+                let [x, y] = q.sweep.at_end();
+                [!x, !y]
+            }
+            Beat::Correct => {
+                let [x, y] = q.sweep.stands();
+                [!x && q.sum[0] >> self.bits == 1, !y && q.sum[1] >> self.bits == 1]
+            }
+        }
     }
 
-    fn next(&self, wires: &Wires) -> Registers {
+    #[inline]
+    fn next(&self, pulse: [bool; 2]) -> Registers {
         let q = &self.registers;
-        let iterates = !q.sweep.done() && !wires.stepping_out;
-        let remainder = |jr: u64, sum: u64, stands: bool| {
-            if iterates && !stands { sum & mask(self.bits) } else { jr }
-        };
-        // The correction: a pulse of x moves |x|, which JVy holds, and the other way round.
-        let [x_grows, y_grows] = q.sweep.growth(wires.pulse);
-        let correct =
-            |jv: u64, grows: i64| jv.wrapping_add_signed(grows << self.shift) & mask(self.bits);
-        let jv = [correct(q.jv[0], y_grows), correct(q.jv[1], x_grows)];
-        let [jrx, jry] = q.jr;
-        Registers {
-            jv,
-            jr: [
-                remainder(jrx, wires.sum[0], wires.stands[0]),
-                remainder(jry, wires.sum[1], wires.stands[1]),
-            ],
-            sweep: q.sweep.next(wires.pulse, is_zero(jv)),
+        let mut next = *q;
+        match q.beat {
+            Beat::Add => {
+                if !q.sweep.done() {
+                    next.beat = Beat::Correct;
+                }
+                next.sum = [q.jr[0] + q.jv[0], q.jr[1] + q.jv[1]];
+                next.sweep = q.sweep.look(is_zero(q.jv));
+            }
+            Beat::Correct => {
+                next.beat = Beat::Add;
+                for axis in 0..2 {
+                    if !q.sweep.is_stepping_out() && !q.sweep.stands()[axis] {
+                        next.jr[axis] = q.sum[axis] & mask(self.bits);
+                    }
+                    if pulse[axis] {
+                        // A pulse of x moves |x|, which JVy holds, and the other way round.
+                        let unit = q.sweep.growth(axis) << self.shift;
+                        let jv = q.jv[1 - axis].wrapping_add_signed(unit);
+                        next.jv[1 - axis] = jv & mask(self.bits);
+                        next.sweep.count(axis, q.sweep.sign(axis));
+                    }
+                }
+            }
         }
+        next
+    }
+
+    /// The pulses with the sweep's directions.
+    #[inline]
+    const fn signed(&self, [x, y]: [bool; 2]) -> Pulse {
+        let sweep = &self.registers.sweep;
+        Pulse([if x { sweep.sign(0) } else { 0 }, if y { sweep.sign(1) } else { 0 }])
     }
 }
 
@@ -118,34 +140,39 @@ const fn is_zero([jvx, jvy]: [u64; 2]) -> [bool; 2] {
 }
 
 impl Circuit for Arc {
-    const CLOCKS_PER_CYCLE: u64 = 1;
+    const CLOCKS_PER_CYCLE: u64 = 2;
     const NAME: &'static str = "dda_arc";
 
     fn pulses(&self) -> Pulse {
-        self.wires().pulse
+        self.signed(self.pulse())
     }
 
     fn done(&self) -> bool {
-        self.registers.sweep.done()
+        self.registers.beat == Beat::Add && self.registers.sweep.done()
+    }
+
+    fn is_mid_cycle(&self) -> bool {
+        self.registers.beat != Beat::Add
     }
 
     #[inline]
     fn clock(&mut self) -> Pulse {
-        let wires = self.wires();
-        self.registers = self.next(&wires);
-        wires.pulse
+        let pulse = self.pulse();
+        let pulses = self.signed(pulse);
+        self.registers = self.next(pulse);
+        pulses
     }
 
     fn probe(&self, probe: &mut impl Probe) {
+        const WORDS: &[&str] = &["add", "correct"];
         let q = &self.registers;
-        let wires = self.wires();
-        for axis in 0..2 {
-            let carry = wires.sum[axis] >> self.bits == 1 && !wires.stands[axis];
-            probe.axis_signal("carry_", axis, Kind::Bit, u64::from(carry));
-        }
+        probe.signal("beat", Kind::Word(WORDS), q.beat as u64);
         for axis in 0..2 {
             probe.axis_signal("jv", axis, Kind::Unsigned(self.bits), q.jv[axis]);
             probe.axis_signal("jr", axis, Kind::Ramp(self.bits), q.jr[axis]);
+        }
+        for axis in 0..2 {
+            probe.axis_signal("sum", axis, Kind::Unsigned(self.bits + 1), q.sum[axis]);
         }
         q.sweep.probe(probe);
     }

@@ -4,15 +4,21 @@ use crate::trace::{Kind, Probe};
 use crate::word::{mask, wrap};
 use crate::{Circuit, Sweep};
 use onepulse_core::dda::{self, Radix, Register};
-use onepulse_core::{Direction, Error, Pulse};
+use onepulse_core::{Axis, Direction, Error, Pulse};
 
 /// Two crossed integrators with signed integrands and remainders that run up and down; the y
-/// integrator adds the x that already has this clock's pulse.
+/// integrator adds the x that already has this cycle's pulse. Four clocks a cycle, which share one
+/// adder.
 ///
 /// ```text
 ///      ┌──────────────── y ◀───────────────┐
 ///      ▼                                   │
 ///  JRx − y ──carry +1, borrow −1──▶ x ──▶ JRy + x ──carry +1, borrow −1──▶ y
+///
+///  add_x    S ← JRx − y, n + 2 bits: the two on top tell carry and borrow
+///  move_x   JRx takes the sum, and x the pulse
+///  add_y    S ← JRy + x
+///  move_y   JRy takes the sum, and y the pulse
 /// ```
 ///
 /// (Clockwise: JRx + y and JRy − x.)
@@ -25,16 +31,23 @@ pub struct CentredArc {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Registers {
+    beat: Beat,
     /// The coordinates x·2^Q and y·2^Q that the integrands are, n bits, signed.
     j: [i64; 2],
     /// Remainders, n bits.
     jr: [u64; 2],
+    /// The adder's sum, n + 2 bits: the two top bits are 00 (no pulse), 01 (carry) or 11 (borrow).
+    sum: u64,
     sweep: Sweep,
 }
 
-struct Wires {
-    remainder: [u64; 2],
-    pulse: Pulse,
+/// The beats of a cycle, a clock each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Beat {
+    AddX,
+    MoveX,
+    AddY,
+    MoveY,
 }
 
 impl CentredArc {
@@ -59,78 +72,143 @@ impl CentredArc {
         };
         let half = 1_u64 << (bits - 1);
         let registers = Registers {
+            beat: Beat::AddX,
             j,
             jr: [half.wrapping_add_signed(half_step) & mask(bits), half],
+            sum: 0,
             sweep: Sweep::new(start, end, direction, bits)?,
         };
         Ok(Self { registers, bits, shift })
     }
 
-    fn wires(&self) -> Wires {
+    /// The axis that is sent a pulse in this clock, if one is.
+    #[inline]
+    const fn pulse(&self) -> Option<Axis> {
         let q = &self.registers;
-        let stands = q.sweep.stands();
-        let is_zero = q.j.map(|c| c == 0);
-        if q.sweep.done() {
-            return Wires { remainder: q.jr, pulse: Pulse::NONE };
-        }
-        if Sweep::is_stepping_out(stands, is_zero) {
-            return Wires { remainder: q.jr, pulse: q.sweep.step_out() };
-        }
-        let turn = match q.sweep.direction() {
-            Direction::Ccw => 1,
-            Direction::Cw => -1,
+        let axis = match q.beat {
+            Beat::AddX | Beat::AddY => return None,
+            Beat::MoveX => Axis::X,
+            Beat::MoveY => Axis::Y,
         };
-        let (jrx, px) = if stands[0] { (q.jr[0], 0) } else { self.add(q.jr[0], -turn * q.j[1]) };
-        let x_updated = self.moved(q.j[0], px);
-        let (jry, py) = if stands[1] { (q.jr[1], 0) } else { self.add(q.jr[1], turn * x_updated) };
-        Wires { remainder: [jrx, jry], pulse: Pulse([px, py]) }
+        let is_due = if q.sweep.is_stepping_out() {
+            !q.sweep.at_end()[axis.index()]
+        } else {
+            !q.sweep.stands()[axis.index()] && q.sum >> self.bits & 1 == 1
+        };
+        if is_due { Some(axis) } else { None }
     }
 
-    /// An n-bit adder: its sum, and +1 for a carry out of it, −1 for a borrow.
-    fn add(&self, remainder: u64, integrand: i64) -> (u64, i8) {
-        let sum = remainder as i64 + integrand;
-        // Bit n is the carry, the sign above it the borrow.
-        (sum as u64 & mask(self.bits), (sum >> self.bits) as i8)
-    }
-
-    /// A coordinate after a pulse: ±2^Q.
-    fn moved(&self, coordinate: i64, pulse: i8) -> i64 {
-        wrap(coordinate + (i64::from(pulse) << self.shift), self.bits)
-    }
-
-    fn next(&self, wires: &Wires) -> Registers {
+    /// The adder: ±y to JRx, ±x to JRy.
+    #[inline]
+    const fn sum(&self, axis: Axis) -> u64 {
         let q = &self.registers;
-        let Pulse([px, py]) = wires.pulse;
-        let j = [self.moved(q.j[0], px), self.moved(q.j[1], py)];
-        Registers { j, jr: wires.remainder, sweep: q.sweep.next(wires.pulse, j.map(|c| c == 0)) }
+        let (integrand, subtracts) = match (axis, q.sweep.direction()) {
+            (Axis::X, Direction::Ccw) => (q.j[1], true),
+            (Axis::X, Direction::Cw) => (q.j[1], false),
+            (Axis::Y, Direction::Ccw) => (q.j[0], false),
+            (Axis::Y, Direction::Cw) => (q.j[0], true),
+        };
+        let integrand = if subtracts { -integrand } else { integrand };
+        q.jr[axis.index()].wrapping_add_signed(integrand) & mask(self.bits + 2)
+    }
+
+    #[inline]
+    fn next(&self, pulse: Option<Axis>) -> Registers {
+        let q = &self.registers;
+        let mut next = *q;
+        match q.beat {
+            Beat::AddX => {
+                if !q.sweep.done() {
+                    next.beat = Beat::MoveX;
+                }
+                next.sum = self.sum(Axis::X);
+                next.sweep = q.sweep.look([q.j[0] == 0, q.j[1] == 0]);
+            }
+            Beat::MoveX => {
+                next.beat = Beat::AddY;
+                self.take(&mut next, Axis::X);
+            }
+            Beat::AddY => {
+                next.beat = Beat::MoveY;
+                next.sum = self.sum(Axis::Y);
+            }
+            Beat::MoveY => {
+                next.beat = Beat::AddX;
+                self.take(&mut next, Axis::Y);
+            }
+        }
+        if let Some(axis) = pulse {
+            let axis = axis.index();
+            let sign = self.sign(axis);
+            let unit = i64::from(sign) << self.shift;
+            next.j[axis] = wrap(q.j[axis] + unit, self.bits);
+            next.sweep.count(axis, sign);
+        }
+        next
+    }
+
+    /// The remainder of an axis that does not stand takes the sum.
+    #[inline]
+    fn take(&self, next: &mut Registers, axis: Axis) {
+        let q = &self.registers;
+        if !q.sweep.is_stepping_out() && !q.sweep.stands()[axis.index()] {
+            next.jr[axis.index()] = q.sum & mask(self.bits);
+        }
+    }
+
+    /// The direction of a pulse: a borrow's is negative, stepping out has the end counter's.
+    #[inline]
+    const fn sign(&self, axis: usize) -> i8 {
+        let q = &self.registers;
+        if q.sweep.is_stepping_out() {
+            q.sweep.sign(axis)
+        } else if q.sum >> (self.bits + 1) == 1 {
+            -1
+        } else {
+            1
+        }
+    }
+
+    /// The pulse with its direction.
+    #[inline]
+    fn signed(&self, pulse: Option<Axis>) -> Pulse {
+        pulse.map_or(Pulse::NONE, |axis| Pulse::on(axis, self.sign(axis.index())))
     }
 }
 
 impl Circuit for CentredArc {
-    const CLOCKS_PER_CYCLE: u64 = 1;
+    const CLOCKS_PER_CYCLE: u64 = 4;
     const NAME: &'static str = "dda_centred_arc";
 
     fn pulses(&self) -> Pulse {
-        self.wires().pulse
+        self.signed(self.pulse())
     }
 
     fn done(&self) -> bool {
-        self.registers.sweep.done()
+        self.registers.beat == Beat::AddX && self.registers.sweep.done()
+    }
+
+    fn is_mid_cycle(&self) -> bool {
+        self.registers.beat != Beat::AddX
     }
 
     #[inline]
     fn clock(&mut self) -> Pulse {
-        let wires = self.wires();
-        self.registers = self.next(&wires);
-        wires.pulse
+        let pulse = self.pulse();
+        let pulses = self.signed(pulse);
+        self.registers = self.next(pulse);
+        pulses
     }
 
     fn probe(&self, probe: &mut impl Probe) {
+        const WORDS: &[&str] = &["add_x", "move_x", "add_y", "move_y"];
         let q = &self.registers;
+        probe.signal("beat", Kind::Word(WORDS), q.beat as u64);
         for axis in 0..2 {
             probe.axis_signal("", axis, Kind::Signed(self.bits), q.j[axis] as u64);
             probe.axis_signal("jr", axis, Kind::Ramp(self.bits), q.jr[axis]);
         }
+        probe.signal("sum", Kind::Unsigned(self.bits + 2), q.sum);
         q.sweep.probe(probe);
     }
 }

@@ -5,16 +5,19 @@ use crate::trace::{Kind, Probe};
 use crate::word::{mask, wrap};
 use crate::{Circuit, Sweep};
 use onepulse_core::dda::{Radix, Register};
-use onepulse_core::{self as software, Axis, Direction, EndRule, Error, Feed, Feeds, Pulse};
+use onepulse_core::{self as software, Axis, Direction, EndRule, Error, Pulse};
 
 /// One adder, the deviation register F, and the magnitudes of the moving point.
 ///
 /// ```text
 ///  judge     due ← towards the axis if F ≥ 0, else away from it; a stopped axis is never due
-///  feed      pulse on the due axis
-///  update    F ← F − 2c + 1, c ← c − 1 (towards)  or  F + 2c + 1, c + 1 (away)
-///  compare   the end counters count the pulse; the quadrant is left when c has reached 0
+///  feed      pulse on the due axis; a coordinate that goes towards zero takes it
+///  update    F ← F − 2c − 1 (towards)  or  F + 2c + 1, c ← c + 1 (away); the counters count it
+///  compare   which counters have come to their end; the quadrant is left when c has reached 0
 /// ```
+///
+/// A pulse changes F by twice the smaller of the two coordinates that it lies between, and 1: that
+/// is why one goes first and the other afterwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Arc {
     registers: Registers,
@@ -24,8 +27,8 @@ pub struct Arc {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Registers {
     beat: Beat,
-    /// Which axis is due, and in which direction.
-    due: Feed,
+    /// Which axis is due.
+    due: Axis,
     /// The deviation function, n + 2 bits, signed. It may wrap once it decides nothing any more:
     /// when an end point off the circle is stepped out to.
     f: i64,
@@ -56,7 +59,7 @@ impl Arc {
         let software = software::ppc::Arc::new(start, end, direction, rule)?;
         let registers = Registers {
             beat: Beat::Judge,
-            due: software.sweep().feeds().towards,
+            due: software.sweep().feeds().towards.axis,
             f: 0,
             c: start.map(|c| u64::from(c.unsigned_abs())),
             sweep: Sweep::new(start, end, direction, bits)?,
@@ -75,30 +78,20 @@ impl Arc {
     }
 
     /// The judge beat's decision.
-    fn judge(&self) -> Feed {
+    fn judge(&self) -> Axis {
         let q = &self.registers;
-        let Feeds { towards, away } = q.sweep.feeds();
+        let (towards, away) = match q.sweep.towards() {
+            Axis::X => (Axis::X, Axis::Y),
+            Axis::Y => (Axis::Y, Axis::X),
+        };
         let stands = q.sweep.stands();
-        match (stands[towards.axis.index()], stands[away.axis.index()]) {
+        match (stands[towards.index()], stands[away.index()]) {
             (false, false) if q.f >= 0 => towards,
             (false, true) => towards,
             (_, false) => away,
-            (true, true) => {
-                let Pulse([x, y]) = q.sweep.step_out();
-                if x != 0 {
-                    Feed { axis: Axis::X, sign: x }
-                } else {
-                    Feed { axis: Axis::Y, sign: y }
-                }
-            }
+            (true, true) if q.sweep.at_end()[0] => Axis::Y,
+            (true, true) => Axis::X,
         }
-    }
-
-    /// Whether the due pulse takes its coordinate away from zero.
-    fn is_outwards(&self) -> bool {
-        let Registers { sweep, due, .. } = &self.registers;
-        let Feeds { towards, away } = sweep.feeds();
-        if due.axis == away.axis { due.sign == away.sign } else { due.sign != towards.sign }
     }
 
     fn next(&self) -> Registers {
@@ -108,21 +101,24 @@ impl Arc {
             return next;
         }
         next.beat = q.beat.next();
-        let due = q.due.axis.index();
+        let due = q.due.index();
+        let growth = q.sweep.growth(due);
+        match (q.beat, growth) {
+            (Beat::Feed, -1) | (Beat::Update, 1) => {
+                next.c[due] = q.c[due].wrapping_add_signed(growth) & mask(self.bits);
+            }
+            _ => {}
+        }
         match q.beat {
             Beat::Judge => next.due = self.judge(),
             Beat::Feed => {}
             Beat::Update => {
-                let sign = if self.is_outwards() { 1 } else { -1 };
-                let change = 2 * sign * q.c[due] as i64 + 1;
+                let change = growth * (2 * q.c[due] as i64 + 1);
                 next.f = wrap(q.f + change, self.bits + 2);
-                next.c[due] = q.c[due].wrapping_add_signed(sign) & mask(self.bits);
+                next.sweep.count(due, q.sweep.sign(due));
+                next.end = q.end.next(q.due);
             }
-            Beat::Compare => {
-                let pulse = Pulse::on(q.due.axis, q.due.sign);
-                next.sweep = q.sweep.next(pulse, q.c.map(|c| c == 0));
-                next.end = q.end.next(q.due.axis);
-            }
+            Beat::Compare => next.sweep = q.sweep.look(q.c.map(|c| c == 0)),
         }
         next
     }
@@ -134,7 +130,9 @@ impl Circuit for Arc {
 
     fn pulses(&self) -> Pulse {
         match self.registers {
-            Registers { beat: Beat::Feed, due, .. } => Pulse::on(due.axis, due.sign),
+            Registers { beat: Beat::Feed, due, sweep, .. } => {
+                Pulse::on(due, sweep.sign(due.index()))
+            }
             _ => Pulse::NONE,
         }
     }
@@ -142,6 +140,10 @@ impl Circuit for Arc {
     fn done(&self) -> bool {
         let q = &self.registers;
         q.beat == Beat::Judge && q.end.done(q.sweep.done())
+    }
+
+    fn is_mid_cycle(&self) -> bool {
+        self.registers.beat != Beat::Judge
     }
 
     #[inline]
@@ -154,7 +156,7 @@ impl Circuit for Arc {
     fn probe(&self, probe: &mut impl Probe) {
         let q = &self.registers;
         probe.signal("beat", Kind::Word(Beat::WORDS), q.beat as u64);
-        probe.signal("fx", Kind::Bit, u64::from(q.due.axis == Axis::X));
+        probe.signal("fx", Kind::Bit, u64::from(q.due == Axis::X));
         probe.signal("f", Kind::Signed(self.bits + 2), q.f as u64);
         for axis in 0..2 {
             probe.axis_signal("c", axis, Kind::Unsigned(self.bits), q.c[axis]);

@@ -105,6 +105,10 @@ impl Circuit for Line {
         q.beat == Beat::Judge && q.end.done(q.je == [0, 0])
     }
 
+    fn is_mid_cycle(&self) -> bool {
+        self.registers.beat != Beat::Judge
+    }
+
     #[inline]
     fn clock(&mut self) -> Pulse {
         let pulses = self.pulses();

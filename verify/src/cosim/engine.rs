@@ -111,8 +111,22 @@ impl Engine {
             [
                 whole("quadrant", "o_quadrant", 2),
                 whole("crossings", "o_crossings", 3),
+                whole("cw", "o_cw", 1),
                 whole("jex", "o_jex", n + 2),
                 whole("jey", "o_jey", n + 2),
+                whole("last", "o_last", 1),
+                whole("towards_is_y", "o_towards_is_y", 1),
+                whole("feeds_nx", "o_feeds_nx", 1),
+                whole("feeds_ny", "o_feeds_ny", 1),
+                whole("at_end_x", "o_x_at_end", 1),
+                whole("at_end_y", "o_y_at_end", 1),
+                whole("stands_x", "o_x_stands", 1),
+                whole("stands_y", "o_y_stands", 1),
+                whole("stepping_out", "o_stepping_out", 1),
+                whole("nx", "o_nx", 1),
+                whole("ny", "o_ny", 1),
+                whole("shrinks_x", "o_x_shrinks", 1),
+                whole("shrinks_y", "o_y_shrinks", 1),
             ]
         };
         let each = |signals: &[&'static str], port| -> Vec<Output> {
@@ -132,6 +146,9 @@ impl Engine {
                 outputs.push(whole("je", "o_je", n + 1));
             }
             Self::DdaArc => {
+                outputs.push(whole("beat", "o_beat", 1));
+                outputs.push(whole("sumx", "o_sumx", n + 1));
+                outputs.push(whole("sumy", "o_sumy", n + 1));
                 for (signal, port) in
                     [("jvx", "o_jvx"), ("jvy", "o_jvy"), ("jrx", "o_jrx"), ("jry", "o_jry")]
                 {
@@ -140,6 +157,8 @@ impl Engine {
                 outputs.extend(sweep());
             }
             Self::DdaCentredArc => {
+                outputs.push(whole("beat", "o_beat", 2));
+                outputs.push(whole("sum", "o_sum", n + 2));
                 for (signal, port) in
                     [("x", "o_x"), ("y", "o_y"), ("jrx", "o_jrx"), ("jry", "o_jry")]
                 {

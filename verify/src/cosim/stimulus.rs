@@ -181,8 +181,12 @@ impl Run {
             places.push(at.ok_or_else(|| format!("the circuit has no {}", output.signal))?);
         }
         let mut answer = vec![0; COMMON + self.outputs.len()];
-        // Most commands run on for two clocks after done; some are cut short.
-        let mut left = if choice.u8(..8) == 0 { choice.u64(..200) } else { 4 * BATCH * 64 };
+        // Most commands run on for two clocks after done; long ones are cut short.
+        let mut left = match choice.u8(..16) {
+            0 | 1 => choice.u64(..200),
+            2 => 1 << 17,
+            _ => 1 << 12,
+        };
         let mut after_done = 2;
         let mut clock = 0;
         while left > 0 && after_done > 0 {
@@ -196,11 +200,12 @@ impl Run {
             self.twin.send()?;
             for _ in 0..batch {
                 self.twin.answer(&mut answer)?;
-                let reading = read(&circuit, !is_stalled);
+                let is_clocked = !is_stalled || circuit.is_mid_cycle();
+                let reading = read(&circuit, is_clocked);
                 self.compare(&reading, &places, &answer)
                     .map_err(|why| format!("{what}, clock {clock}: {why}"))?;
                 after_done -= u64::from(circuit.done() && after_done > 0);
-                if !is_stalled {
+                if is_clocked {
                     circuit.clock();
                 }
                 clock += 1;
