@@ -4,7 +4,7 @@
 //! | module | |
 //! |---|---|
 //! | `ports` | a module as words that go in and words that come out on every clock |
-//! | `simulator` | what a simulator does: `verilator` |
+//! | `simulator` | what a simulator does: `verilator`, `icarus` |
 //! | `bench` | clocks for a twin, compared with what the model says |
 //! | `engine`, `stimulus`, `driven`, `run` | the engines' ports, commands, pulse source and runs |
 //! | `mutants` | changes of the Verilog that each comparison must find |
@@ -16,6 +16,7 @@ mod bench;
 mod driven;
 mod engine;
 mod fault;
+mod icarus;
 mod mutants;
 mod ports;
 mod reading;

@@ -1,5 +1,6 @@
 //! What every simulator of a twin does, and the process that it is.
 
+use super::icarus::Icarus;
 use super::ports::Ports;
 use super::verilator::Verilator;
 use clap::ValueEnum;
@@ -27,6 +28,8 @@ pub(super) trait Simulator {
 pub(super) enum Tool {
     /// Fast; knows 0 and 1 only
     Verilator,
+    /// Slower, quick to build; knows unknown bits
+    Icarus,
 }
 
 impl Tool {
@@ -40,6 +43,7 @@ impl Tool {
     ) -> Result<Box<dyn Simulator>, String> {
         Ok(match self {
             Self::Verilator => Box::new(Verilator::start(rtl, build, ports)?),
+            Self::Icarus => Box::new(Icarus::start(rtl, build, ports, None)?),
         })
     }
 }
