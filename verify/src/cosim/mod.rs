@@ -6,6 +6,7 @@
 //! | `ports` | a module as words that go in and words that come out on every clock |
 //! | `simulator` | what a simulator does: `verilator`, `icarus` |
 //! | `bench` | clocks for a twin, compared with what the model says |
+//! | `wave`, `waves` | the model's wave of a run, compared with that of Icarus |
 //! | `engine`, `stimulus`, `driven`, `run` | the engines' ports, commands, pulse source and runs |
 //! | `mutants` | changes of the Verilog that each comparison must find |
 //!
@@ -24,15 +25,20 @@ mod run;
 mod simulator;
 mod stimulus;
 mod verilator;
+mod wave;
+mod waves;
 
 use bench::Bench;
 use clap::Args;
 use engine::Engine;
 use fault::Fault;
+use icarus::Icarus;
 use run::Plan;
 use simulator::Tool;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
+use waves::Compared;
 
 /// What to co-simulate.
 #[derive(Debug, Args)]
@@ -43,12 +49,15 @@ pub struct Options {
     /// Only registers of this width
     #[arg(long)]
     bits: Option<u32>,
-    /// Clocks of each module at each width [default: 300000]
+    /// Clocks of each module at each width [default: 300000, of waves 40000]
     #[arg(long)]
     clocks: Option<u64>,
     /// The simulator of the twins
     #[arg(long, value_enum, default_value_t = Tool::Verilator)]
     simulator: Tool,
+    /// Instead, compare the wave that the model writes with the one that Icarus writes
+    #[arg(long, conflicts_with = "simulator")]
+    waves: bool,
     /// Change the Verilog in small ways and demand that each change is found
     #[arg(long)]
     mutants: bool,
@@ -99,9 +108,13 @@ pub fn run(options: &Options) -> Result<(), String> {
 impl Options {
     /// Compares one module at one width, and says what was equal.
     fn check(&self, rtl: &Path, build: &Path, engine: Engine, bits: u32) -> Result<String, Fault> {
-        let clocks = self.clocks.unwrap_or(300_000);
-        let plan = Plan { engine, bits, seed: self.seed, clocks };
+        let enough = if self.waves { 40_000 } else { 300_000 };
+        let clocks = self.clocks.unwrap_or(enough);
+        let plan = Plan { engine, bits, seed: self.seed, clocks, wave: None };
         let begun = Instant::now();
+        if self.waves {
+            return waves_of(rtl, build, plan);
+        }
         let ports = engine.ports(bits);
         let simulator = self.simulator.start(rtl, build, &ports)?;
         let built = begun.elapsed();
@@ -109,4 +122,20 @@ impl Options {
         let seconds = (begun.elapsed() - built).as_secs_f64();
         Ok(format!("{run} equal, {seconds:.1} s"))
     }
+}
+
+/// Compares the waves of a run, which stay in the folder `waves`.
+fn waves_of(rtl: &Path, build: &Path, plan: Plan<'_>) -> Result<String, Fault> {
+    let ports = plan.engine.ports(plan.bits);
+    let folder = build.join("waves");
+    fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    let [model, twin] =
+        ["model", "twin"].map(|side| folder.join(format!("{}_{side}.vcd", ports.label())));
+    let simulator = Icarus::start(rtl, build, &ports, Some(&twin))?;
+    // The twin has written all of its wave when the bench is gone.
+    let run =
+        Plan { wave: Some(&model), ..plan }.run(Bench::new(ports.clone(), Box::new(simulator)))?;
+    let Compared { signals, changes } =
+        waves::compare(&ports, &run.list, run.clocks, &model, &twin)?;
+    Ok(format!("{run}: {changes:6} changes of {signals} signals equal"))
 }

@@ -7,19 +7,23 @@ use super::engine::Engine;
 use super::fault::Fault;
 use super::reading::{Reading, place};
 use super::stimulus::{self, Command};
+use super::wave::ModelWave;
 use fastrand::Rng;
 use onepulse_core::Pulse;
 use onepulse_hwmodel::Circuit;
 use onepulse_hwmodel::trace::{Kind, SignalList};
 use std::fmt;
+use std::path::Path;
 
 /// What to run.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Plan {
+pub(super) struct Plan<'a> {
     pub(super) engine: Engine,
     pub(super) bits: u32,
     pub(super) seed: u64,
     pub(super) clocks: u64,
+    /// Where the model writes its wave. Such a run compares nothing itself: the waves tell.
+    pub(super) wave: Option<&'a Path>,
 }
 
 /// What was run.
@@ -28,16 +32,18 @@ pub(super) struct Summary {
     pub(super) commands: u64,
     pub(super) resets: u64,
     pub(super) clocks: u64,
+    /// The signals of the model's wave.
+    pub(super) list: SignalList,
 }
 
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { commands, resets, clocks } = self;
+        let Self { commands, resets, clocks, .. } = self;
         write!(f, "{commands:5} commands, {resets:4} resets, {clocks:7} clocks")
     }
 }
 
-impl Plan {
+impl Plan<'_> {
     /// Runs commands until this many clocks were compared.
     ///
     /// # Errors
@@ -81,9 +87,11 @@ impl Plan {
 }
 
 /// A model and the bench with its twin.
-struct Run<C, const AXES: usize> {
-    plan: Plan,
+struct Run<'a, C, const AXES: usize> {
+    plan: Plan<'a>,
     bench: Bench,
+    wave: Option<ModelWave>,
+    list: SignalList,
     /// The number in the list of each output's signal.
     places: Vec<usize>,
     model: Model<C>,
@@ -109,9 +117,10 @@ enum Edge<C> {
     Stall,
 }
 
-impl<C: Circuit<AXES>, const AXES: usize> Run<C, AXES> {
-    fn new(plan: Plan, bench: Bench, example: &Command<C>) -> Result<Self, String> {
+impl<'a, C: Circuit<AXES>, const AXES: usize> Run<'a, C, AXES> {
+    fn new(plan: Plan<'a>, bench: Bench, example: &Command<C>) -> Result<Self, String> {
         let list = signals(&example.circuit);
+        let wave = plan.wave.map(|path| ModelWave::create(path, &list)).transpose()?;
         let mut places = Vec::new();
         for output in &bench.ports().outputs {
             let at = place(&list, output.signal);
@@ -119,7 +128,7 @@ impl<C: Circuit<AXES>, const AXES: usize> Run<C, AXES> {
         }
         let ports = vec![0; example.words.len()];
         let model = Model::Off;
-        Ok(Self { plan, bench, places, model, ports, commands: 0, resets: 0 })
+        Ok(Self { plan, bench, wave, list, places, model, ports, commands: 0, resets: 0 })
     }
 
     /// Loads a command and clocks it, to two clocks after done or until it is cut short.
@@ -154,14 +163,29 @@ impl<C: Circuit<AXES>, const AXES: usize> Run<C, AXES> {
         self.bench.settle()
     }
 
-    /// One clock: what the model shows goes to the bench, and the edge follows.
+    /// One clock: what the model shows goes to the bench and into the wave, and the edge follows.
     fn clock(&mut self, edge: Edge<C>) -> Result<(), Fault> {
         let is_enabled = matches!(edge, Edge::Run);
         let (resets, loads) = (matches!(edge, Edge::Reset), matches!(edge, Edge::Load(_)));
         let mut inputs = [resets, loads, is_enabled].map(u64::from).to_vec();
         inputs.extend(&self.ports);
         let outputs = self.shown(is_enabled);
-        self.bench.clock(&inputs, outputs.as_deref())?;
+        if let Some(wave) = &mut self.wave {
+            wave.clock(|tracer| {
+                for (place, word) in self.places.iter().zip(outputs.iter().flatten()) {
+                    let is_round = *place < AROUND;
+                    // The circuit shows its own signals, those without a port too.
+                    if is_round || matches!(self.model, Model::Reset) {
+                        tracer.set(*place, *word);
+                    }
+                }
+                if let Model::Loaded(driven) = &self.model {
+                    tracer.sample(AROUND, &driven.circuit);
+                }
+            });
+        }
+        let is_compared = self.wave.is_none();
+        self.bench.clock(&inputs, outputs.as_deref().filter(|_| is_compared))?;
         match (edge, &mut self.model) {
             (Edge::Reset, model) => *model = Model::Reset,
             (Edge::Load(circuit), model) => *model = Model::Loaded(Driven::new(circuit)),
@@ -192,10 +216,14 @@ impl<C: Circuit<AXES>, const AXES: usize> Run<C, AXES> {
 
     fn finish(mut self) -> Result<Summary, Fault> {
         self.bench.settle()?;
+        self.wave.map_or(Ok(()), ModelWave::finish)?;
         let (commands, resets, clocks) = (self.commands, self.resets, self.bench.clocks());
-        Ok(Summary { commands, resets, clocks })
+        Ok(Summary { commands, resets, clocks, list: self.list })
     }
 }
+
+/// The signals round the circuit, which come first in the list.
+const AROUND: usize = 4;
 
 /// The signals of a run: the clock, the outputs that every engine has, and the circuit.
 fn signals<C: Circuit<AXES>, const AXES: usize>(circuit: &C) -> SignalList {
