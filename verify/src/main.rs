@@ -13,7 +13,8 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Check {
-    /// The circuits against their Verilog twins, every register on every clock (needs Verilator)
+    /// The circuits against their Verilog twins, every register on every clock (needs Verilator or
+    /// Icarus Verilog)
     Cosim(cosim::Options),
     /// The properties of the Verilog twins, by induction (needs Yosys and Yices)
     RtlFormal(rtl_formal::Options),

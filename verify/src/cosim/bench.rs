@@ -1,133 +1,154 @@
-//! The test bench of a twin, in C++ for Verilator.
-//!
-//! It reads commands as 64-bit words from standard input and answers with the outputs of every
-//! clock, sampled before the edge that ends it:
-//!
-//! | words | meaning |
-//! |---|---|
-//! | 1, the inputs | a clock with `i_load` |
-//! | 2 | a clock with `i_rst` |
-//! | 3, k | k clocks with the pulse source enabled; answers k times |
-//! | 4 | a clock without it; answers once |
+//! The bench: the same clocks for a model and its twin, and every word compared.
 
-use super::engine::Engine;
-use std::fmt::Write;
+use super::fault::Fault;
+use super::ports::Ports;
+use super::simulator::Simulator;
 
-/// A command's first word.
-pub(super) mod opcode {
-    pub(in super::super) const LOAD: u64 = 1;
-    pub(in super::super) const RESET: u64 = 2;
-    pub(in super::super) const RUN: u64 = 3;
-    pub(in super::super) const STALL: u64 = 4;
+/// A twin under simulation, held against what its model shows.
+///
+/// The model's side runs ahead: it hands over the words of each clock, and the bench compares a
+/// block of clocks at a time.
+pub(super) struct Bench {
+    ports: Ports,
+    simulator: Box<dyn Simulator>,
+    clocks: u64,
+    /// The words of the block: what goes in, and what the model says comes out.
+    inputs: Vec<u64>,
+    expected: Vec<Option<u64>>,
+    answers: Vec<Option<u64>>,
 }
 
-/// The number of words before the registers: pulse, negative, done.
-pub(super) const COMMON: usize = 3;
+/// The words that a block may answer with. As text they are up to 17 bytes each, and must fit in
+/// the smallest of pipes, or both sides wait for each other.
+const BLOCK: usize = 900;
 
-/// The source text. Ports over 64 bits are words of 32 for Verilator, so parts are fetched with
-/// the functions that take both.
-pub(super) fn source(engine: Engine, bits: u32) -> String {
-    let module = engine.module();
-    let mut loads = String::new();
-    for port in engine.inputs() {
-        let _ = match (*port, engine) {
-            ("i_jv", Engine::DdaLine4) => {
-                writeln!(
-                    loads,
-                    "      for (int axis = 0; axis < 4; axis++) set(top.{port}, axis * {bits}, {bits}, get());"
-                )
+impl Bench {
+    pub(super) fn new(ports: Ports, simulator: Box<dyn Simulator>) -> Self {
+        let [expected, answers] = [Vec::new(), Vec::new()];
+        Self { ports, simulator, clocks: 0, inputs: Vec::new(), expected, answers }
+    }
+
+    pub(super) const fn ports(&self) -> &Ports {
+        &self.ports
+    }
+
+    /// The clocks handed over so far.
+    pub(super) const fn clocks(&self) -> u64 {
+        self.clocks
+    }
+
+    /// One clock: the words of all inputs, and of all outputs before the edge that ends it.
+    /// Without outputs (`None`) nothing is compared.
+    ///
+    /// # Errors
+    /// The first difference in the block that this clock may complete: clock, signal and both
+    /// values; a simulator that has ended.
+    pub(super) fn clock(&mut self, inputs: &[u64], outputs: Option<&[u64]>) -> Result<(), Fault> {
+        debug_assert_eq!(inputs.len(), self.ports.inputs.len());
+        self.inputs.extend(inputs);
+        match outputs {
+            Some(words) => self.expected.extend(words.iter().copied().map(Some)),
+            None => self.expected.extend(self.ports.outputs.iter().map(|_| None)),
+        }
+        self.clocks += 1;
+        if self.expected.len() + self.ports.outputs.len() > BLOCK { self.settle() } else { Ok(()) }
+    }
+
+    /// Compares the clocks that are still outstanding.
+    ///
+    /// # Errors
+    /// As [`Bench::clock`].
+    pub(super) fn settle(&mut self) -> Result<(), Fault> {
+        let width = self.ports.outputs.len();
+        let clocks = (self.expected.len() / width) as u64;
+        if clocks == 0 {
+            return Ok(());
+        }
+        self.answers.clear();
+        self.simulator.clocks(clocks, &self.inputs, &mut self.answers)?;
+        for (at, (expected, twin)) in self.expected.iter().zip(&self.answers).enumerate() {
+            let output = &self.ports.outputs[at % width];
+            let Some(model) = expected.map(|word| word & output.mask()) else { continue };
+            if Some(model) != *twin {
+                let clock = self.clocks - clocks + (at / width) as u64;
+                let twin = twin.map_or("unknown".to_owned(), |word| word.to_string());
+                let signal = output.signal;
+                return Err(Fault::Differs(format!(
+                    "clock {clock}: {signal} is {model} in the model, {twin} in the twin"
+                )));
             }
-            _ => writeln!(loads, "      set(top.{port}, 0, 64, get());"),
+        }
+        self.inputs.clear();
+        self.expected.clear();
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::ports::{Output, Port};
+    use super::*;
+
+    /// Answers with what went in 16 clocks before; bits above the fourth are unknown.
+    struct Delay {
+        line: Vec<u64>,
+    }
+
+    impl Simulator for Delay {
+        fn clocks(
+            &mut self,
+            clocks: u64,
+            inputs: &[u64],
+            outputs: &mut Vec<Option<u64>>,
+        ) -> Result<(), String> {
+            assert_eq!(inputs.len() as u64, clocks);
+            for input in inputs {
+                self.line.push(*input);
+                outputs.push(Some(self.line.remove(0)).filter(|word| *word < 16));
+            }
+            Ok(())
+        }
+    }
+
+    fn bench() -> Bench {
+        let ports = Ports {
+            module: "delay",
+            parameters: Vec::new(),
+            inputs: vec![Port::whole("i_in", 5)],
+            outputs: vec![Output::new("out", Port::whole("o_out", 5))],
         };
+        Bench::new(ports, Box::new(Delay { line: vec![0; 16] }))
     }
-    let mut samples = String::new();
-    for output in engine.outputs(bits) {
-        let (port, low, width) = (output.port, output.low, output.width);
-        let _ = writeln!(samples, "  put(part(top.{port}, {low}, {width}));");
+
+    fn message(fault: Result<(), Fault>) -> String {
+        fault.unwrap_err().into()
     }
-    format!(
-        r#"#include "V{module}.h"
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 
-static V{module} top;
+    #[test]
+    fn a_difference_names_clock_signal_and_both_values() {
+        let mut bench = bench();
+        for k in 0..4 * BLOCK as u64 {
+            // The model's words may be wider than the port.
+            let expected = if k < 16 { 0 } else { (k - 16) % 16 + 32 };
+            bench.clock(&[k % 16], Some(&[expected])).unwrap();
+        }
+        bench.clock(&[0], Some(&[3])).unwrap();
+        let clock = 4 * BLOCK;
+        let text = format!("clock {clock}: out is 3 in the model, 0 in the twin");
+        assert_eq!(message(bench.settle()), text);
+    }
 
-static uint64_t get() {{
-  uint64_t word;
-  if (fread(&word, sizeof word, 1, stdin) != 1) exit(0);
-  return word;
-}}
-static void put(uint64_t word) {{ fwrite(&word, sizeof word, 1, stdout); }}
-
-template <class Port> static uint64_t part(Port port, int low, int width) {{
-  return ((uint64_t)port >> low) & (~0ull >> (64 - width));
-}}
-template <std::size_t Words> static uint64_t part(const VlWide<Words>& port, int low, int width) {{
-  uint64_t value = 0;
-  for (int bit = 0; bit < width; bit++)
-    value |= (uint64_t)(port[(low + bit) / 32] >> ((low + bit) % 32) & 1) << bit;
-  return value;
-}}
-template <class Port> static void set(Port& port, int low, int width, uint64_t value) {{
-  uint64_t mask = (width == 64 ? ~0ull : (1ull << width) - 1) << low;
-  port = (Port)(((uint64_t)port & ~mask) | (value << low & mask));
-}}
-template <std::size_t Words> static void set(VlWide<Words>& port, int low, int width, uint64_t value) {{
-  for (int bit = 0; bit < width; bit++) {{
-    port[(low + bit) / 32] &= ~(1u << (low + bit) % 32);
-    port[(low + bit) / 32] |= (uint32_t)(value >> bit & 1) << (low + bit) % 32;
-  }}
-}}
-static void edge() {{
-  top.i_clk = 1;
-  top.eval();
-  top.i_clk = 0;
-  top.eval();
-}}
-static void sample() {{
-  top.eval();
-  put(top.o_pulse);
-  put(top.o_negative);
-  put(top.o_done);
-{samples}}}
-
-int main() {{
-  top.i_clk = 0;
-  top.i_rst = 0;
-  top.i_load = 0;
-  top.i_en = 0;
-  for (;;) {{
-    switch (get()) {{
-    case 1:
-{loads}      top.i_load = 1;
-      edge();
-      top.i_load = 0;
-      break;
-    case 2:
-      top.i_rst = 1;
-      edge();
-      top.i_rst = 0;
-      break;
-    case 3:
-      top.i_en = 1;
-      for (uint64_t clocks = get(); clocks > 0; clocks--) {{
-        sample();
-        edge();
-      }}
-      top.i_en = 0;
-      fflush(stdout);
-      break;
-    case 4:
-      sample();
-      edge();
-      fflush(stdout);
-      break;
-    default:
-      return 1;
-    }}
-  }}
-}}
-"#
-    )
+    #[test]
+    fn an_unknown_bit_is_a_difference_where_the_model_says_something() {
+        let mut bench = bench();
+        bench.clock(&[16], Some(&[0])).unwrap();
+        bench.clock(&[16], Some(&[0])).unwrap();
+        for _ in 2..16 {
+            bench.clock(&[0], Some(&[0])).unwrap();
+        }
+        bench.clock(&[0], None).unwrap();
+        bench.clock(&[0], Some(&[16])).unwrap();
+        let text = "clock 17: out is 16 in the model, unknown in the twin";
+        assert_eq!(message(bench.settle()), text);
+    }
 }

@@ -1,4 +1,6 @@
-//! The ports of each module.
+//! The engines and the ports of each.
+
+use super::ports::{Output, Port, Ports};
 
 /// A module of the twin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,15 +12,6 @@ pub(super) enum Engine {
     PpcLine,
     PpcArc,
     BrmLine,
-}
-
-/// A part of an output port, and the signal of the circuit that it must equal.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Output {
-    pub(super) signal: &'static str,
-    pub(super) port: &'static str,
-    pub(super) low: u32,
-    pub(super) width: u32,
 }
 
 impl Engine {
@@ -53,60 +46,88 @@ impl Engine {
     }
 
     /// Whether the module has the parameter AXES.
-    pub(super) const fn has_axes(self) -> bool {
+    const fn has_axes(self) -> bool {
         matches!(self, Self::DdaLine | Self::DdaLine4 | Self::BrmLine)
     }
 
-    /// The command's ports, in the order in which the stimulus gives their values.
-    pub(super) const fn inputs(self) -> &'static [&'static str] {
-        match self {
-            Self::DdaLine | Self::DdaLine4 => &["i_jv", "i_preset", "i_je", "i_negative"],
-            Self::DdaArc => &[
-                "i_jvx",
-                "i_jvy",
-                "i_preset",
-                "i_unit",
-                "i_quadrant",
-                "i_crossings",
-                "i_cw",
-                "i_jex",
-                "i_jey",
-            ],
-            Self::DdaCentredArc => &[
-                "i_x",
-                "i_y",
-                "i_jrx",
-                "i_jry",
-                "i_unit",
-                "i_quadrant",
-                "i_crossings",
-                "i_cw",
-                "i_jex",
-                "i_jey",
-            ],
-            Self::PpcLine => {
-                &["i_end_x", "i_end_y", "i_negative", "i_rule", "i_larger_is_y", "i_e"]
-            }
-            Self::PpcArc => &[
-                "i_cx",
-                "i_cy",
-                "i_quadrant",
-                "i_crossings",
-                "i_cw",
-                "i_jex",
-                "i_jey",
-                "i_rule",
-                "i_larger_is_y",
-                "i_e",
-            ],
-            Self::BrmLine => &["i_value", "i_negative"],
+    /// The module as the bench sees it, in registers of `bits` bits. The inputs are `i_rst`, `i_load`
+    /// and `i_en`, then the command in the order in which the stimulus gives its words.
+    pub(super) fn ports(self, bits: u32) -> Ports {
+        let mut parameters = vec![("N", bits)];
+        if self.has_axes() {
+            parameters.push(("AXES", self.axes() as u32));
         }
+        let mut inputs = ["i_rst", "i_load", "i_en"].map(|name| Port::whole(name, 1)).to_vec();
+        inputs.extend(self.command(bits));
+        let axes = self.axes() as u32;
+        // A direction means something where there is a pulse.
+        let negative = Output::new("negative", Port::whole("o_negative", axes));
+        let mut outputs = vec![
+            Output::new("pulse", Port::whole("o_pulse", axes)),
+            Output { gate: Some("o_pulse"), ..negative },
+            Output::new("done", Port::whole("o_done", 1)),
+        ];
+        outputs.extend(self.registers(bits));
+        Ports { module: self.module(), parameters, inputs, outputs }
     }
 
-    /// The outputs after `o_pulse`, `o_negative` and `o_done`, which all have.
-    pub(super) fn outputs(self, bits: u32) -> Vec<Output> {
+    /// What the word of an output is after a reset: that of a sweep in its last quadrant, the first,
+    /// and at its end.
+    pub(super) fn after_reset(signal: &str) -> u64 {
+        let is_set = matches!(signal, "done" | "fx" | "last" | "feeds_nx" | "stepping_out");
+        u64::from(is_set || signal.starts_with("at_end_") || signal.starts_with("stands_"))
+    }
+
+    /// The command's ports.
+    fn command(self, bits: u32) -> Vec<Port> {
         let n = bits;
-        let whole = |signal, port, width| Output { signal, port, low: 0, width };
+        let whole = Port::whole;
+        let sweep = [
+            whole("i_quadrant", 2),
+            whole("i_crossings", 3),
+            whole("i_cw", 1),
+            whole("i_jex", n + 2),
+            whole("i_jey", n + 2),
+        ];
+        let end = |e| [whole("i_rule", 2), whole("i_larger_is_y", 1), whole("i_e", e)];
+        let mut inputs = Vec::new();
+        match self {
+            Self::DdaLine | Self::DdaLine4 => {
+                inputs.extend(Port::each("i_jv", n, self.axes()));
+                inputs.extend([whole("i_preset", n), whole("i_je", n + 1)]);
+                inputs.push(whole("i_negative", self.axes() as u32));
+            }
+            Self::DdaArc => {
+                inputs.extend(["i_jvx", "i_jvy", "i_preset", "i_unit"].map(|name| whole(name, n)));
+                inputs.extend(sweep);
+            }
+            Self::DdaCentredArc => {
+                let names = ["i_x", "i_y", "i_jrx", "i_jry", "i_unit"];
+                inputs.extend(names.map(|name| whole(name, n)));
+                inputs.extend(sweep);
+            }
+            Self::PpcLine => {
+                inputs.extend(["i_end_x", "i_end_y"].map(|name| whole(name, n)));
+                inputs.push(whole("i_negative", 2));
+                inputs.extend(end(n + 1));
+            }
+            Self::PpcArc => {
+                inputs.extend(["i_cx", "i_cy"].map(|name| whole(name, n)));
+                inputs.extend(sweep);
+                inputs.extend(end(n + 4));
+            }
+            Self::BrmLine => {
+                inputs.extend(Port::each("i_value", n, self.axes()));
+                inputs.push(whole("i_negative", self.axes() as u32));
+            }
+        }
+        inputs
+    }
+
+    /// The outputs after pulse, negative and done, which all have.
+    fn registers(self, bits: u32) -> Vec<Output> {
+        let n = bits;
+        let whole = |signal, port, width| Output::new(signal, Port::whole(port, width));
         let sweep = || {
             [
                 whole("quadrant", "o_quadrant", 2),
@@ -130,13 +151,8 @@ impl Engine {
             ]
         };
         let each = |signals: &[&'static str], port| -> Vec<Output> {
-            let part = |(signal, axis): (&&'static str, u32)| Output {
-                signal,
-                port,
-                low: axis * n,
-                width: n,
-            };
-            signals.iter().zip(0..).map(part).collect()
+            let parts = Port::each(port, n, signals.len());
+            signals.iter().zip(parts).map(|(signal, part)| Output::new(signal, part)).collect()
         };
         let mut outputs = Vec::new();
         match self {
