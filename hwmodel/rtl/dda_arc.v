@@ -50,31 +50,31 @@ module dda_arc #(
     output wire         o_towards_is_y,
     output wire         o_feeds_nx,
     output wire         o_feeds_ny,
-    output wire         o_x_at_end,
-    output wire         o_y_at_end,
-    output wire         o_x_stands,
-    output wire         o_y_stands,
+    output wire         o_at_end_x,
+    output wire         o_at_end_y,
+    output wire         o_stands_x,
+    output wire         o_stands_y,
     output wire         o_stepping_out,
     output wire         o_nx,
     output wire         o_ny,
-    output wire         o_x_shrinks,
-    output wire         o_y_shrinks
+    output wire         o_shrinks_x,
+    output wire         o_shrinks_y
 );
     localparam ADD = 1'b0, CORRECT = 1'b1;
 
     wire is_last;
     // Without the end counters' zero detectors: what is added after the end is not used.
     wire add = o_beat == ADD & i_en;
-    wire px  = o_beat == CORRECT & (o_stepping_out ? ~o_x_at_end : o_sumx[N] & ~o_x_stands);
-    wire py  = o_beat == CORRECT & (o_stepping_out ? ~o_y_at_end : o_sumy[N] & ~o_y_stands);
+    wire px  = o_beat == CORRECT & (o_stepping_out ? ~o_at_end_x : o_sumx[N] & ~o_stands_x);
+    wire py  = o_beat == CORRECT & (o_stepping_out ? ~o_at_end_y : o_sumy[N] & ~o_stands_y);
 
     assign o_pulse    = {py, px};
     assign o_negative = {o_ny, o_nx};
     assign o_done     = o_beat == ADD & is_last;
 
     // a - b is a + ~b + 1
-    wire [N-1:0] jvy_next = o_jvy + (o_unit ^ {N{o_x_shrinks}}) + {{(N-1){1'b0}}, o_x_shrinks};
-    wire [N-1:0] jvx_next = o_jvx + (o_unit ^ {N{o_y_shrinks}}) + {{(N-1){1'b0}}, o_y_shrinks};
+    wire [N-1:0] jvy_next = o_jvy + (o_unit ^ {N{o_shrinks_x}}) + {{(N-1){1'b0}}, o_shrinks_x};
+    wire [N-1:0] jvx_next = o_jvx + (o_unit ^ {N{o_shrinks_y}}) + {{(N-1){1'b0}}, o_shrinks_y};
 
     sweep #(.N(N)) sweep (
         .i_clk         (i_clk),
@@ -102,15 +102,15 @@ module dda_arc #(
         .o_towards_is_y(o_towards_is_y),
         .o_feeds_nx    (o_feeds_nx),
         .o_feeds_ny    (o_feeds_ny),
-        .o_x_at_end    (o_x_at_end),
-        .o_y_at_end    (o_y_at_end),
-        .o_x_stands    (o_x_stands),
-        .o_y_stands    (o_y_stands),
+        .o_at_end_x    (o_at_end_x),
+        .o_at_end_y    (o_at_end_y),
+        .o_stands_x    (o_stands_x),
+        .o_stands_y    (o_stands_y),
         .o_stepping_out(o_stepping_out),
         .o_nx          (o_nx),
         .o_ny          (o_ny),
-        .o_x_shrinks   (o_x_shrinks),
-        .o_y_shrinks   (o_y_shrinks)
+        .o_shrinks_x   (o_shrinks_x),
+        .o_shrinks_y   (o_shrinks_y)
     );
 
     always @(posedge i_clk)
@@ -140,8 +140,8 @@ module dda_arc #(
             end
             if (o_beat == CORRECT) begin
                 o_beat <= ADD;
-                if (~o_stepping_out & ~o_x_stands) o_jrx <= o_sumx[N-1:0];
-                if (~o_stepping_out & ~o_y_stands) o_jry <= o_sumy[N-1:0];
+                if (~o_stepping_out & ~o_stands_x) o_jrx <= o_sumx[N-1:0];
+                if (~o_stepping_out & ~o_stands_y) o_jry <= o_sumy[N-1:0];
             end
             if (px) o_jvy <= jvy_next;
             if (py) o_jvx <= jvx_next;

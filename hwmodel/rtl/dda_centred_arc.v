@@ -48,15 +48,15 @@ module dda_centred_arc #(
     output wire         o_towards_is_y,
     output wire         o_feeds_nx,
     output wire         o_feeds_ny,
-    output wire         o_x_at_end,
-    output wire         o_y_at_end,
-    output wire         o_x_stands,
-    output wire         o_y_stands,
+    output wire         o_at_end_x,
+    output wire         o_at_end_y,
+    output wire         o_stands_x,
+    output wire         o_stands_y,
     output wire         o_stepping_out,
     output wire         o_nx,
     output wire         o_ny,
-    output wire         o_x_shrinks,
-    output wire         o_y_shrinks
+    output wire         o_shrinks_x,
+    output wire         o_shrinks_y
 );
     localparam ADD_X = 2'd0, MOVE_X = 2'd1, ADD_Y = 2'd2, MOVE_Y = 2'd3;
 
@@ -74,9 +74,9 @@ module dda_centred_arc #(
                            + ({{2{integrand[N-1]}}, integrand} ^ {(N+2){subtracts}})
                            + {{(N+1){1'b0}}, subtracts};
 
-    wire px = o_beat == MOVE_X & (o_stepping_out ? ~o_x_at_end : o_sum[N] & ~o_x_stands);
+    wire px = o_beat == MOVE_X & (o_stepping_out ? ~o_at_end_x : o_sum[N] & ~o_stands_x);
     wire nx = o_stepping_out ? o_nx : o_sum[N+1];
-    wire py = o_beat == MOVE_Y & (o_stepping_out ? ~o_y_at_end : o_sum[N] & ~o_y_stands);
+    wire py = o_beat == MOVE_Y & (o_stepping_out ? ~o_at_end_y : o_sum[N] & ~o_stands_y);
     wire ny = o_stepping_out ? o_ny : o_sum[N+1];
 
     assign o_pulse    = {py, px};
@@ -112,15 +112,15 @@ module dda_centred_arc #(
         .o_towards_is_y(o_towards_is_y),
         .o_feeds_nx    (o_feeds_nx),
         .o_feeds_ny    (o_feeds_ny),
-        .o_x_at_end    (o_x_at_end),
-        .o_y_at_end    (o_y_at_end),
-        .o_x_stands    (o_x_stands),
-        .o_y_stands    (o_y_stands),
+        .o_at_end_x    (o_at_end_x),
+        .o_at_end_y    (o_at_end_y),
+        .o_stands_x    (o_stands_x),
+        .o_stands_y    (o_stands_y),
         .o_stepping_out(o_stepping_out),
         .o_nx          (o_nx),
         .o_ny          (o_ny),
-        .o_x_shrinks   (o_x_shrinks),
-        .o_y_shrinks   (o_y_shrinks)
+        .o_shrinks_x   (o_shrinks_x),
+        .o_shrinks_y   (o_shrinks_y)
     );
 
     always @(posedge i_clk)
@@ -148,7 +148,7 @@ module dda_centred_arc #(
                 end
                 MOVE_X:  begin
                     o_beat <= ADD_Y;
-                    if (~o_stepping_out & ~o_x_stands) o_jrx <= o_sum[N-1:0];
+                    if (~o_stepping_out & ~o_stands_x) o_jrx <= o_sum[N-1:0];
                 end
                 ADD_Y:   begin
                     o_beat <= MOVE_Y;
@@ -156,7 +156,7 @@ module dda_centred_arc #(
                 end
                 default: begin
                     o_beat <= ADD_X;
-                    if (~o_stepping_out & ~o_y_stands) o_jry <= o_sum[N-1:0];
+                    if (~o_stepping_out & ~o_stands_y) o_jry <= o_sum[N-1:0];
                 end
             endcase
             if (px) o_x <= x_next;

@@ -51,15 +51,15 @@ module ppc_arc #(
     output wire         o_towards_is_y,
     output wire         o_feeds_nx,
     output wire         o_feeds_ny,
-    output wire         o_x_at_end,
-    output wire         o_y_at_end,
-    output wire         o_x_stands,
-    output wire         o_y_stands,
+    output wire         o_at_end_x,
+    output wire         o_at_end_y,
+    output wire         o_stands_x,
+    output wire         o_stands_y,
     output wire         o_stepping_out,
     output wire         o_nx,
     output wire         o_ny,
-    output wire         o_x_shrinks,
-    output wire         o_y_shrinks
+    output wire         o_shrinks_x,
+    output wire         o_shrinks_y
 );
     localparam JUDGE = 2'd0, FEED = 2'd1, UPDATE = 2'd2, COMPARE = 2'd3;
     localparam TOTAL = 2'd0, PER_AXIS = 2'd1;
@@ -74,13 +74,13 @@ module ppc_arc #(
     assign o_pulse    = {~o_fx, o_fx} & {2{o_beat == FEED}};
 
     // Judge.
-    wire towards_stands = o_towards_is_y ? o_y_stands : o_x_stands;
-    wire away_stands    = o_towards_is_y ? o_x_stands : o_y_stands;
+    wire towards_stands = o_towards_is_y ? o_stands_y : o_stands_x;
+    wire away_stands    = o_towards_is_y ? o_stands_x : o_stands_y;
     wire feeds_towards  = (~o_f[N+1] & ~towards_stands) | away_stands;
-    wire due_x          = o_x_stands & o_y_stands ? ~o_x_at_end : feeds_towards ^ o_towards_is_y;
+    wire due_x          = o_stands_x & o_stands_y ? ~o_at_end_x : feeds_towards ^ o_towards_is_y;
 
     // Feed and update.
-    wire         shrinks = o_fx ? o_x_shrinks : o_y_shrinks;
+    wire         shrinks = o_fx ? o_shrinks_x : o_shrinks_y;
     wire         moves   = o_beat == (shrinks ? FEED : UPDATE);
     wire [N-1:0] c       = o_fx ? o_cx : o_cy;
     wire [N-1:0] c_next  = c + {{(N-1){shrinks}}, 1'b1};
@@ -115,15 +115,15 @@ module ppc_arc #(
         .o_towards_is_y(o_towards_is_y),
         .o_feeds_nx    (o_feeds_nx),
         .o_feeds_ny    (o_feeds_ny),
-        .o_x_at_end    (o_x_at_end),
-        .o_y_at_end    (o_y_at_end),
-        .o_x_stands    (o_x_stands),
-        .o_y_stands    (o_y_stands),
+        .o_at_end_x    (o_at_end_x),
+        .o_at_end_y    (o_at_end_y),
+        .o_stands_x    (o_stands_x),
+        .o_stands_y    (o_stands_y),
         .o_stepping_out(o_stepping_out),
         .o_nx          (o_nx),
         .o_ny          (o_ny),
-        .o_x_shrinks   (o_x_shrinks),
-        .o_y_shrinks   (o_y_shrinks)
+        .o_shrinks_x   (o_shrinks_x),
+        .o_shrinks_y   (o_shrinks_y)
     );
 
     always @(posedge i_clk)

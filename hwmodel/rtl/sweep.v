@@ -44,16 +44,16 @@ module sweep #(
     output reg            o_feeds_ny,
     // what the last look saw: counters at zero, axes that stand, and that what is left is to be
     // stepped out
-    output reg            o_x_at_end,
-    output reg            o_y_at_end,
-    output reg            o_x_stands,
-    output reg            o_y_stands,
+    output reg            o_at_end_x,
+    output reg            o_at_end_y,
+    output reg            o_stands_x,
+    output reg            o_stands_y,
     output reg            o_stepping_out,
     // this cycle's pulses as the quadrant has them: their directions, and whether they make their coordinates smaller
     output reg            o_nx,
     output reg            o_ny,
-    output reg            o_x_shrinks,
-    output reg            o_y_shrinks
+    output reg            o_shrinks_x,
+    output reg            o_shrinks_y
 );
     assign o_done = o_last & o_jex == 0 & o_jey == 0;
 
@@ -108,31 +108,31 @@ module sweep #(
             o_towards_is_y <= 1'b0;
             o_feeds_nx     <= 1'b1;
             o_feeds_ny     <= 1'b0;
-            o_x_at_end     <= 1'b1;
-            o_y_at_end     <= 1'b1;
-            o_x_stands     <= 1'b1;
-            o_y_stands     <= 1'b1;
+            o_at_end_x     <= 1'b1;
+            o_at_end_y     <= 1'b1;
+            o_stands_x     <= 1'b1;
+            o_stands_y     <= 1'b1;
             o_stepping_out <= 1'b1;
             o_nx           <= 1'b0;
             o_ny           <= 1'b0;
-            o_x_shrinks    <= 1'b0;
-            o_y_shrinks    <= 1'b0;
+            o_shrinks_x    <= 1'b0;
+            o_shrinks_y    <= 1'b0;
         end else if (i_load | i_look) begin
             o_last         <= last;
             o_towards_is_y <= towards_is_y;
             o_feeds_nx     <= feeds_nx;
             o_feeds_ny     <= feeds_ny;
-            o_x_at_end     <= x_at_end;
-            o_y_at_end     <= y_at_end;
-            o_x_stands     <= x_stands;
-            o_y_stands     <= y_stands;
+            o_at_end_x     <= x_at_end;
+            o_at_end_y     <= y_at_end;
+            o_stands_x     <= x_stands;
+            o_stands_y     <= y_stands;
             o_stepping_out <= (x_stands & y_stands)
                             | (~i_load & x_stands & i_x_is_zero)
                             | (~i_load & y_stands & i_y_is_zero);
             // In the last quadrant every pulse leads to the end point, stepped out or not.
             o_nx           <= last ? x_back : feeds_nx;
             o_ny           <= last ? y_back : feeds_ny;
-            o_x_shrinks    <= ~towards_is_y ^ (last & (x_back ^ feeds_nx));
-            o_y_shrinks    <= towards_is_y ^ (last & (y_back ^ feeds_ny));
+            o_shrinks_x    <= ~towards_is_y ^ (last & (x_back ^ feeds_nx));
+            o_shrinks_y    <= towards_is_y ^ (last & (y_back ^ feeds_ny));
         end
 endmodule

@@ -27,8 +27,8 @@ module dda_centred_arc_props #(
     wire [2:0]   crossings_q;
     wire [N-1:0] x_q, y_q, jrx_q, jry_q;
     wire [N+1:0] sum_q, jex_q, jey_q;
-    wire cw_q, last_q, towards_is_y_q, feeds_nx_q, feeds_ny_q, x_at_end_q, y_at_end_q,
-         x_stands_q, y_stands_q, stepping_out_q, nx_q, ny_q, x_shrinks_q, y_shrinks_q;
+    wire cw_q, last_q, towards_is_y_q, feeds_nx_q, feeds_ny_q, at_end_x_q, at_end_y_q,
+         stands_x_q, stands_y_q, stepping_out_q, nx_q, ny_q, shrinks_x_q, shrinks_y_q;
 
     dda_centred_arc #(.N(N)) arc (
         .i_clk(clk), .i_rst(first), .i_en(en), .i_load(load), .i_x(x), .i_y(y), .i_jrx(jrx),
@@ -38,10 +38,10 @@ module dda_centred_arc_props #(
         .o_sum(sum_q), .o_quadrant(quadrant_q), .o_crossings(crossings_q), .o_jex(jex_q),
         .o_jey(jey_q),
         .o_cw(cw_q), .o_last(last_q), .o_towards_is_y(towards_is_y_q),
-        .o_feeds_nx(feeds_nx_q), .o_feeds_ny(feeds_ny_q), .o_x_at_end(x_at_end_q),
-        .o_y_at_end(y_at_end_q), .o_x_stands(x_stands_q), .o_y_stands(y_stands_q),
+        .o_feeds_nx(feeds_nx_q), .o_feeds_ny(feeds_ny_q), .o_at_end_x(at_end_x_q),
+        .o_at_end_y(at_end_y_q), .o_stands_x(stands_x_q), .o_stands_y(stands_y_q),
         .o_stepping_out(stepping_out_q), .o_nx(nx_q), .o_ny(ny_q),
-        .o_x_shrinks(x_shrinks_q), .o_y_shrinks(y_shrinks_q)
+        .o_shrinks_x(shrinks_x_q), .o_shrinks_y(shrinks_y_q)
     );
 
     // The sweep's decoder once more, from the other outputs.
@@ -53,8 +53,8 @@ module dda_centred_arc_props #(
 
     // What the remainders take: -y, then the new x, counter-clockwise; +y, then minus the new x,
     // clockwise.
-    wire         adds_x = beat == 2'd1 & ~stepping_out_q & ~x_stands_q;
-    wire         adds_y = beat == 2'd3 & ~stepping_out_q & ~y_stands_q;
+    wire         adds_x = beat == 2'd1 & ~stepping_out_q & ~stands_x_q;
+    wire         adds_y = beat == 2'd3 & ~stepping_out_q & ~stands_y_q;
     wire [M-1:0] y_wide = {{(M-N){y_q[N-1]}}, y_q};
     wire [M-1:0] x_wide = {{(M-N){x_q[N-1]}}, x_q};
     reg  [N+1:0] net_x = 0, net_y = 0, far_x = 0, far_y = 0;
@@ -85,15 +85,15 @@ module dda_centred_arc_props #(
         assert (feeds_nx_q == feeds_nx && feeds_ny_q == feeds_ny);
         // In the beats that move, what was looked at and added still holds.
         if (beat != 2'd0) begin
-            assert (x_stands_q ? last : 1'b1);
-            assert (y_at_end_q == (jey_q == 0));
-            assert (y_stands_q == y_stands);
+            assert (stands_x_q ? last : 1'b1);
+            assert (at_end_y_q == (jey_q == 0));
+            assert (stands_y_q == y_stands);
             assert (ny_q == (last ? jey_q[N+1] : feeds_ny));
-            assert (!stepping_out_q | x_stands_q | y_stands_q);
+            assert (!stepping_out_q | stands_x_q | stands_y_q);
         end
         if (beat == 2'd1) begin
-            assert (x_at_end_q == (jex_q == 0));
-            assert (x_stands_q == x_stands);
+            assert (at_end_x_q == (jex_q == 0));
+            assert (stands_x_q == x_stands);
             assert (stepping_out_q == ((x_stands & y_stands) | (x_stands & x_q == 0)
                                                              | (y_stands & y_q == 0)));
             assert (nx_q == (last ? jex_q[N+1] : feeds_nx));

@@ -25,8 +25,8 @@ module ppc_arc_props #(
     wire [N-1:0] cx_q, cy_q;
     wire [N+1:0] f_q, jex_q, jey_q;
     wire [N+3:0] e_q;
-    wire cw_q, last_q, towards_is_y_q, feeds_nx_q, feeds_ny_q, x_at_end_q, y_at_end_q,
-         x_stands_q, y_stands_q, stepping_out_q, nx_q, ny_q, x_shrinks_q, y_shrinks_q;
+    wire cw_q, last_q, towards_is_y_q, feeds_nx_q, feeds_ny_q, at_end_x_q, at_end_y_q,
+         stands_x_q, stands_y_q, stepping_out_q, nx_q, ny_q, shrinks_x_q, shrinks_y_q;
 
     ppc_arc #(.N(N)) arc (
         .i_clk(clk), .i_rst(first), .i_en(en), .i_load(load), .i_cx(cx), .i_cy(cy),
@@ -36,10 +36,10 @@ module ppc_arc_props #(
         .o_beat(beat), .o_fx(fx), .o_f(f_q), .o_cx(cx_q), .o_cy(cy_q), .o_e(e_q),
         .o_quadrant(quadrant_q), .o_crossings(crossings_q), .o_jex(jex_q), .o_jey(jey_q),
         .o_cw(cw_q), .o_last(last_q), .o_towards_is_y(towards_is_y_q),
-        .o_feeds_nx(feeds_nx_q), .o_feeds_ny(feeds_ny_q), .o_x_at_end(x_at_end_q),
-        .o_y_at_end(y_at_end_q), .o_x_stands(x_stands_q), .o_y_stands(y_stands_q),
+        .o_feeds_nx(feeds_nx_q), .o_feeds_ny(feeds_ny_q), .o_at_end_x(at_end_x_q),
+        .o_at_end_y(at_end_y_q), .o_stands_x(stands_x_q), .o_stands_y(stands_y_q),
         .o_stepping_out(stepping_out_q), .o_nx(nx_q), .o_ny(ny_q),
-        .o_x_shrinks(x_shrinks_q), .o_y_shrinks(y_shrinks_q)
+        .o_shrinks_x(shrinks_x_q), .o_shrinks_y(shrinks_y_q)
     );
 
     // The sweep's decoder once more, from the other outputs.
@@ -69,7 +69,7 @@ module ppc_arc_props #(
     // coordinate goes from c to c'. A coordinate that leaves zero downwards, which only stepping
     // out does, ends that.
     wire [N-1:0] c      = fx ? cx_q : cy_q;
-    wire         lowers = fx ? x_shrinks_q : y_shrinks_q;
+    wire         lowers = fx ? shrinks_x_q : shrinks_y_q;
     wire [N+1:0] change = (lowers ? -{1'b0, c, 1'b0} : {1'b0, c, 1'b0}) + 1'b1;
     reg  [N+1:0] f = 0;
     reg          is_out = 1'b0;
@@ -92,8 +92,8 @@ module ppc_arc_props #(
         assert (feeds_nx_q == feeds_nx && feeds_ny_q == feeds_ny);
         // The last look holds until the counters take the pulse.
         if (beat != 2'd3) begin
-            assert (x_at_end_q == (jex_q == 0) && y_at_end_q == (jey_q == 0));
-            assert (x_stands_q == x_stands && y_stands_q == y_stands);
+            assert (at_end_x_q == (jex_q == 0) && at_end_y_q == (jey_q == 0));
+            assert (stands_x_q == x_stands && stands_y_q == y_stands);
             assert (nx_q == (last ? jex_q[N+1] : feeds_nx));
             assert (ny_q == (last ? jey_q[N+1] : feeds_ny));
         end

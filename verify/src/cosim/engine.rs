@@ -139,15 +139,15 @@ impl Engine {
                 whole("towards_is_y", "o_towards_is_y", 1),
                 whole("feeds_nx", "o_feeds_nx", 1),
                 whole("feeds_ny", "o_feeds_ny", 1),
-                whole("at_end_x", "o_x_at_end", 1),
-                whole("at_end_y", "o_y_at_end", 1),
-                whole("stands_x", "o_x_stands", 1),
-                whole("stands_y", "o_y_stands", 1),
+                whole("at_end_x", "o_at_end_x", 1),
+                whole("at_end_y", "o_at_end_y", 1),
+                whole("stands_x", "o_stands_x", 1),
+                whole("stands_y", "o_stands_y", 1),
                 whole("stepping_out", "o_stepping_out", 1),
                 whole("nx", "o_nx", 1),
                 whole("ny", "o_ny", 1),
-                whole("shrinks_x", "o_x_shrinks", 1),
-                whole("shrinks_y", "o_y_shrinks", 1),
+                whole("shrinks_x", "o_shrinks_x", 1),
+                whole("shrinks_y", "o_shrinks_y", 1),
             ]
         };
         let each = |signals: &[&'static str], port| -> Vec<Output> {
