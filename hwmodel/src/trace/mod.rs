@@ -6,6 +6,7 @@
 
 mod bench;
 mod clock;
+mod digits;
 mod fst;
 mod gtkw;
 mod signal;
