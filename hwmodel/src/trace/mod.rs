@@ -9,6 +9,7 @@ mod clock;
 mod digits;
 mod fst;
 mod gtkw;
+mod section;
 mod signal;
 mod tracer;
 mod vcd;
