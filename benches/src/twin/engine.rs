@@ -21,7 +21,7 @@ pub enum Engine {
 const RTL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../hwmodel/rtl");
 const CPP: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/cpp");
 
-/// For the compiler. Verilator's makefile would compile all but the hot path without optimisation.
+/// For the compiler; Verilator's makefile by itself optimises little, and its library less.
 const TUNED: &str = "-O3 -march=native -flto";
 
 impl Engine {
