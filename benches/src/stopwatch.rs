@@ -11,12 +11,21 @@ pub struct Runner<'a> {
     pub amount: f64,
     /// One run; its result keeps the compiler from leaving it out.
     pub run: Box<dyn Fn() -> u64 + 'a>,
+    /// What is tidied up after each run, while the watch stands.
+    pub tidy: Box<dyn Fn() + 'a>,
 }
 
 impl<'a> Runner<'a> {
     /// A contestant.
     pub fn new(name: &'static str, amount: f64, run: impl Fn() -> u64 + 'a) -> Self {
-        Self { name, amount, run: Box::new(run) }
+        Self { name, amount, run: Box::new(run), tidy: Box::new(|| ()) }
+    }
+
+    /// The contestant, with something to tidy up after each run.
+    #[must_use]
+    pub fn tidied(mut self, tidy: impl Fn() + 'a) -> Self {
+        self.tidy = Box::new(tidy);
+        self
     }
 }
 
@@ -29,6 +38,7 @@ pub fn medians(runners: &[Runner], rounds: usize) -> Vec<f64> {
             let begun = Instant::now();
             black_box((runner.run)());
             times.push(begun.elapsed().as_secs_f64());
+            (runner.tidy)();
         }
     }
     let median = |(runner, mut times): (&Runner, Vec<f64>)| {

@@ -233,6 +233,38 @@ fn every_circuit_is_traced_faithfully() {
     assert_faithful(&brm::Line::new([10, -6], 4).unwrap());
 }
 
+/// An FST file is written in sections; GTKWave's own reader and wellen find in all of them what the
+/// VCD has.
+#[test]
+fn a_long_wave_is_the_same_in_every_section() {
+    let dir = tempfile::tempdir().unwrap();
+    let circuit = dda::Line::new([90_001, -53_003], 17, Preset::Half, false).unwrap();
+    trace(dir.path(), &circuit, 500_000_000);
+    let fst = dir.path().join("wave.fst");
+    let sections = u64::from_be_bytes(std::fs::read(&fst).unwrap()[65..73].try_into().unwrap());
+    assert!(sections > 2, "{sections}");
+
+    let converted = dir.path().join("converted.vcd");
+    let status = Command::new("fst2vcd")
+        .arg("-f")
+        .arg(&fst)
+        .arg("-o")
+        .arg(&converted)
+        .output()
+        .expect("fst2vcd is needed (Debian package gtkwave)")
+        .status;
+    assert!(status.success(), "fst2vcd: {status}");
+    let vcd = read(&dir.path().join("wave.vcd"));
+    for file in [fst, converted] {
+        let other = read(&file);
+        assert_eq!(vcd.keys().collect::<Vec<_>>(), other.keys().collect::<Vec<_>>());
+        for (name, changes) in &vcd {
+            let is_equal = changes.len() == other[name].len() && changes == &other[name];
+            assert!(is_equal, "{name} in {}", file.display());
+        }
+    }
+}
+
 #[test]
 fn the_layout_names_every_signal_of_the_wave() {
     let circuit = ppc::Line::new([5, 3], 3, EndRule::Total).unwrap();

@@ -6,6 +6,8 @@ pub struct Clock {
     hertz: u64,
     /// The unit of the time axis is 10^−digits seconds.
     digits: u32,
+    /// Half a period in these units, if that is a whole number.
+    half_period: Option<u64>,
 }
 
 impl Clock {
@@ -24,9 +26,13 @@ impl Clock {
         if !(1..=Self::FASTEST).contains(&hertz) {
             return None;
         }
-        let is_exact = |digits: &u32| 10_u64.pow(*digits) % (2 * hertz) == 0;
-        let digits = (0..=Self::FINEST).find(is_exact).unwrap_or(Self::FINEST);
-        Some(Self { hertz, digits })
+        let exact = |digits| (10_u64.pow(digits) % (2 * hertz) == 0).then_some(digits);
+        let exact = (0..=Self::FINEST).find_map(exact);
+        Some(Self {
+            hertz,
+            digits: exact.unwrap_or(Self::FINEST),
+            half_period: exact.map(|digits| 10_u64.pow(digits) / (2 * hertz)),
+        })
     }
 
     /// The unit of the time axis as a power of ten of a second: −6 for 1 µs.
@@ -55,6 +61,9 @@ impl Clock {
     }
 
     fn half_periods(self, count: u128) -> u64 {
+        if let Some(units) = self.half_period {
+            return (count * u128::from(units)) as u64;
+        }
         (count * 10_u128.pow(self.digits) / (2 * u128::from(self.hertz))) as u64
     }
 }

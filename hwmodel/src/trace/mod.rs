@@ -6,8 +6,10 @@
 
 mod bench;
 mod clock;
+mod digits;
 mod fst;
 mod gtkw;
+mod section;
 mod signal;
 mod tracer;
 mod vcd;

@@ -30,8 +30,17 @@ impl<W: Wave> Tracer<W> {
     }
 
     /// The present value of a signal.
+    #[inline]
     pub fn set(&mut self, signal: usize, value: u64) {
-        if self.last[signal] == Some(value) || self.failed.is_some() {
+        // Inline: whether a signal changes is foreseen best at a place of its own.
+        if self.last[signal] != Some(value) {
+            self.change(signal, value);
+        }
+    }
+
+    #[inline(never)]
+    fn change(&mut self, signal: usize, value: u64) {
+        if self.failed.is_some() {
             return;
         }
         self.last[signal] = Some(value);
