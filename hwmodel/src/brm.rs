@@ -46,12 +46,19 @@ impl<const AXES: usize> Line<AXES> {
     /// As [`onepulse_core::brm::Line::new`].
     pub fn new(end: [i32; AXES], bits: u32) -> Result<Self, Error> {
         software::brm::Line::new(end, bits)?;
-        Ok(Self {
-            registers: Registers { divider: 0, tg: true },
-            value: end.map(|c| u64::from(c.unsigned_abs())),
-            negative: end.map(|c| c < 0),
-            bits,
-        })
+        let value = end.map(|c| u64::from(c.unsigned_abs()));
+        Ok(Self::loaded(value, end.map(|c| c < 0), bits))
+    }
+
+    /// The circuit after a load of these contents, which starts it.
+    pub(crate) const fn loaded(value: [u64; AXES], negative: [bool; AXES], bits: u32) -> Self {
+        Self { registers: Registers { divider: 0, tg: true }, value, negative, bits }
+    }
+
+    /// The circuit after a reset.
+    pub(crate) const fn reset(bits: u32) -> Self {
+        let registers = Registers { divider: 0, tg: false };
+        Self { registers, ..Self::loaded([0; AXES], [false; AXES], bits) }
     }
 
     fn wires(&self) -> Wires<AXES> {
@@ -116,6 +123,7 @@ impl<const AXES: usize> Circuit<AXES> for Line<AXES> {
         for axis in 0..AXES {
             probe.axis_signal("value_", axis, Kind::Unsigned(self.bits), self.value[axis]);
             probe.axis_signal("train_", axis, Kind::Bit, u64::from(wires.train[axis]));
+            probe.axis_signal("negative_", axis, Kind::Bit, u64::from(self.negative[axis]));
         }
     }
 }

@@ -14,7 +14,8 @@
 //! | [`ppc::Line`], [`ppc::Arc`] | 4, one a beat | [`onepulse_core::ppc`] |
 //! | [`brm::Line`] | 1 | [`onepulse_core::brm::Line`] |
 //!
-//! Round them stand [`Fifo`], a queue of commands, and [`StepDir`], the outputs to an axis' drive.
+//! [`interpolator::Interpolator`] is the whole machine: all engines behind a decoder and a [`Fifo`] of
+//! commands, with a pulse source for the feed, and with a [`StepDir`] for each axis' drive.
 //!
 //! [`trace`] writes their waves as VCD or FST.
 //!
@@ -33,6 +34,7 @@ pub mod brm;
 mod circuit;
 pub mod dda;
 mod fifo;
+pub mod interpolator;
 pub mod ppc;
 mod step_dir;
 mod sweep;

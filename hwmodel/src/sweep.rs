@@ -87,6 +87,11 @@ impl Sweep {
         sweep
     }
 
+    /// The registers after a reset.
+    pub(crate) fn reset(bits: u32) -> Self {
+        Self::loaded(Quadrant::I, 0, [0; 2], Direction::Ccw, bits)
+    }
+
     /// The sense flip-flop.
     pub(crate) const fn direction(&self) -> Direction {
         self.direction

@@ -24,8 +24,9 @@ use onepulse_core::{Direction, Error, Pulse};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Arc {
     registers: Registers,
+    /// What a pulse corrects its integrand by, 2^Q; loaded once.
+    unit: u64,
     bits: u32,
-    shift: u32,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,18 +65,30 @@ impl Arc {
         let software = dda::Arc::new(start, end, direction, register, preset, normalize)?;
         let shift = software.shift();
         let load = |c: i32| (u64::from(c.unsigned_abs()) << shift) & mask(bits);
-        let registers = Registers {
-            beat: Beat::Add,
-            jv: [load(start[1]), load(start[0])],
-            jr: [match preset {
-                Preset::Zero => 0,
-                Preset::Half => 1 << (bits - 1),
-                Preset::Full => mask(bits),
-            }; 2],
-            sum: [0; 2],
-            sweep: Sweep::new(start, end, direction, bits)?,
+        let jv = [load(start[1]), load(start[0])];
+        let preset = match preset {
+            Preset::Zero => 0,
+            Preset::Half => 1 << (bits - 1),
+            Preset::Full => mask(bits),
         };
-        Ok(Self { registers, bits, shift })
+        Ok(Self::loaded(jv, preset, 1 << shift, Sweep::new(start, end, direction, bits)?, bits))
+    }
+
+    /// The circuit after a load of these contents.
+    pub(crate) const fn loaded(
+        jv: [u64; 2],
+        preset: u64,
+        unit: u64,
+        sweep: Sweep,
+        bits: u32,
+    ) -> Self {
+        let registers = Registers { beat: Beat::Add, jv, jr: [preset; 2], sum: [0; 2], sweep };
+        Self { registers, unit, bits }
+    }
+
+    /// The circuit after a reset.
+    pub(crate) fn reset(bits: u32) -> Self {
+        Self::loaded([0; 2], 0, 0, Sweep::reset(bits), bits)
     }
 
     /// Whether each axis is sent a pulse in this clock.
@@ -115,7 +128,7 @@ impl Arc {
                     }
                     if pulse[axis] {
                         // A pulse of x moves |x|, which JVy holds, and the other way round.
-                        let unit = q.sweep.growth(axis) << self.shift;
+                        let unit = q.sweep.growth(axis) * self.unit as i64;
                         let jv = q.jv[1 - axis].wrapping_add_signed(unit);
                         next.jv[1 - axis] = jv & mask(self.bits);
                         next.sweep.count(axis, q.sweep.sign(axis));
@@ -164,9 +177,10 @@ impl Circuit for Arc {
     }
 
     fn probe(&self, probe: &mut impl Probe) {
-        const WORDS: &[&str] = &["add", "correct"];
+        const WORDS: &[&str] = &["ADD", "CORRECT"];
         let q = &self.registers;
         probe.signal("beat", Kind::Word(WORDS), q.beat as u64);
+        probe.signal("unit", Kind::Unsigned(self.bits), self.unit);
         for axis in 0..2 {
             probe.axis_signal("jv", axis, Kind::Unsigned(self.bits), q.jv[axis]);
             probe.axis_signal("jr", axis, Kind::Ramp(self.bits), q.jr[axis]);

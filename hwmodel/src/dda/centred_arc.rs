@@ -25,8 +25,9 @@ use onepulse_core::{Axis, Direction, Error, Pulse};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CentredArc {
     registers: Registers,
+    /// What a pulse moves its coordinate by, 2^Q; loaded once.
+    unit: u64,
     bits: u32,
-    shift: u32,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,14 +72,24 @@ impl CentredArc {
             Direction::Cw => -(j[1] / 2),
         };
         let half = 1_u64 << (bits - 1);
-        let registers = Registers {
-            beat: Beat::AddX,
-            j,
-            jr: [half.wrapping_add_signed(half_step) & mask(bits), half],
-            sum: 0,
-            sweep: Sweep::new(start, end, direction, bits)?,
-        };
-        Ok(Self { registers, bits, shift })
+        let jr = [half.wrapping_add_signed(half_step) & mask(bits), half];
+        Ok(Self::loaded(j, jr, 1 << shift, Sweep::new(start, end, direction, bits)?, bits))
+    }
+
+    /// The circuit after a load of these contents.
+    pub(crate) const fn loaded(
+        j: [i64; 2],
+        jr: [u64; 2],
+        unit: u64,
+        sweep: Sweep,
+        bits: u32,
+    ) -> Self {
+        Self { registers: Registers { beat: Beat::AddX, j, jr, sum: 0, sweep }, unit, bits }
+    }
+
+    /// The circuit after a reset.
+    pub(crate) fn reset(bits: u32) -> Self {
+        Self::loaded([0; 2], [0; 2], 0, Sweep::reset(bits), bits)
     }
 
     /// The axis that is sent a pulse in this clock, if one is.
@@ -140,7 +151,7 @@ impl CentredArc {
         if let Some(axis) = pulse {
             let axis = axis.index();
             let sign = self.sign(axis);
-            let unit = i64::from(sign) << self.shift;
+            let unit = i64::from(sign) * self.unit as i64;
             next.j[axis] = wrap(q.j[axis] + unit, self.bits);
             next.sweep.count(axis, sign);
         }
@@ -201,9 +212,10 @@ impl Circuit for CentredArc {
     }
 
     fn probe(&self, probe: &mut impl Probe) {
-        const WORDS: &[&str] = &["add_x", "move_x", "add_y", "move_y"];
+        const WORDS: &[&str] = &["ADD_X", "MOVE_X", "ADD_Y", "MOVE_Y"];
         let q = &self.registers;
         probe.signal("beat", Kind::Word(WORDS), q.beat as u64);
+        probe.signal("unit", Kind::Unsigned(self.bits), self.unit);
         for axis in 0..2 {
             probe.axis_signal("", axis, Kind::Signed(self.bits), q.j[axis] as u64);
             probe.axis_signal("jr", axis, Kind::Ramp(self.bits), q.jr[axis]);

@@ -53,16 +53,29 @@ impl<const AXES: usize> Line<AXES> {
     ) -> Result<Self, Error> {
         let register = Register::new(Radix::Binary, bits)?;
         let shift = dda::Line::new(end, register, preset, normalize)?.shift();
-        let registers = Registers {
-            jv: end.map(|c| (u64::from(c.unsigned_abs()) << shift) & mask(bits)),
-            jr: [match preset {
-                Preset::Zero => 0,
-                Preset::Half => 1 << (bits - 1),
-                Preset::Full => mask(bits),
-            }; AXES],
-            je: 1 << (bits - shift),
+        let jv = end.map(|c| (u64::from(c.unsigned_abs()) << shift) & mask(bits));
+        let preset = match preset {
+            Preset::Zero => 0,
+            Preset::Half => 1 << (bits - 1),
+            Preset::Full => mask(bits),
         };
-        Ok(Self { registers, negative: end.map(|c| c < 0), bits })
+        Ok(Self::loaded(jv, preset, 1 << (bits - shift), end.map(|c| c < 0), bits))
+    }
+
+    /// The circuit after a load of these contents.
+    pub(crate) const fn loaded(
+        jv: [u64; AXES],
+        preset: u64,
+        je: u64,
+        negative: [bool; AXES],
+        bits: u32,
+    ) -> Self {
+        Self { registers: Registers { jv, jr: [preset; AXES], je }, negative, bits }
+    }
+
+    /// The circuit after a reset.
+    pub(crate) const fn reset(bits: u32) -> Self {
+        Self::loaded([0; AXES], 0, 0, [false; AXES], bits)
     }
 
     fn wires(&self) -> Wires<AXES> {
@@ -124,5 +137,8 @@ impl<const AXES: usize> Circuit<AXES> for Line<AXES> {
             probe.axis_signal("jr", axis, Kind::Ramp(self.bits), q.jr[axis]);
         }
         probe.signal("je", Kind::Unsigned(self.bits + 1), q.je);
+        for axis in 0..AXES {
+            probe.axis_signal("negative_", axis, Kind::Bit, u64::from(self.negative[axis]));
+        }
     }
 }

@@ -57,15 +57,26 @@ impl Arc {
             return Err(Error::RegisterTooNarrow { digits: bits, needed });
         }
         let software = software::ppc::Arc::new(start, end, direction, rule)?;
-        let registers = Registers {
-            beat: Beat::Judge,
-            due: software.sweep().feeds().towards.axis,
-            f: 0,
-            c: start.map(|c| u64::from(c.unsigned_abs())),
-            sweep: Sweep::new(start, end, direction, bits)?,
-            end: EndCounter::new(rule, software.pulses_to_go()),
-        };
-        Ok(Self { registers, bits })
+        let c = start.map(|c| u64::from(c.unsigned_abs()));
+        let end_counter = EndCounter::new(rule, software.pulses_to_go());
+        Ok(Self::loaded(c, Sweep::new(start, end, direction, bits)?, end_counter, bits))
+    }
+
+    /// The circuit after a load of these contents.
+    pub(super) const fn loaded(c: [u64; 2], sweep: Sweep, end: EndCounter, bits: u32) -> Self {
+        let due = sweep.towards();
+        Self { registers: Registers { beat: Beat::Judge, due, f: 0, c, sweep, end }, bits }
+    }
+
+    /// The circuit after a load under the rule of two counters.
+    pub(crate) const fn loaded_per_axis(c: [u64; 2], sweep: Sweep, bits: u32) -> Self {
+        Self::loaded(c, sweep, EndCounter::new(EndRule::PerAxis, [0; 2]), bits)
+    }
+
+    /// The circuit after a reset.
+    pub(crate) fn reset(bits: u32) -> Self {
+        let end_counter = EndCounter::new(EndRule::Total, [0; 2]);
+        Self::loaded([0; 2], Sweep::reset(bits), end_counter, bits)
     }
 
     /// The narrowest registers that serve the arc, in bits.
@@ -162,6 +173,6 @@ impl Circuit for Arc {
             probe.axis_signal("c", axis, Kind::Unsigned(self.bits), q.c[axis]);
         }
         q.sweep.probe(probe);
-        probe.signal("e", Kind::Unsigned(self.bits + 4), q.end.e);
+        q.end.probe(self.bits + 4, probe);
     }
 }

@@ -1,5 +1,6 @@
 //! The down counter of the end rules "total" and "larger".
 
+use crate::trace::{Kind, Probe};
 use onepulse_core::{Axis, EndRule};
 
 /// A down counter that counts the pulses of both axes, or of the larger one alone.
@@ -31,6 +32,13 @@ impl EndCounter {
             EndRule::PerAxis => axes_done,
             EndRule::Total | EndRule::Larger => self.e == 0,
         }
+    }
+
+    pub(super) fn probe(&self, bits: u32, probe: &mut impl Probe) {
+        const WORDS: &[&str] = &["TOTAL", "PER_AXIS", "LARGER"];
+        probe.signal("rule", Kind::Word(WORDS), self.rule as u64);
+        probe.signal("larger_is_y", Kind::Bit, u64::from(self.larger == Axis::Y));
+        probe.signal("e", Kind::Unsigned(bits), self.e);
     }
 
     /// The next content after a pulse on `axis`.

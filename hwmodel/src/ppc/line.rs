@@ -19,7 +19,7 @@ use onepulse_core::{Axis, EndRule, Error, Pulse};
 pub struct Line {
     registers: Registers,
     /// Magnitudes of the end point, n bits; loaded once.
-    end: [u32; 2],
+    end: [u64; 2],
     negative: [bool; 2],
     bits: u32,
 }
@@ -32,7 +32,7 @@ struct Registers {
     /// The deviation function, n + 1 bits, signed.
     f: i64,
     /// The axes' own end counters, n bits.
-    je: [u32; 2],
+    je: [u64; 2],
     end: EndCounter,
 }
 
@@ -48,14 +48,20 @@ impl Line {
         if bits < needed {
             return Err(Error::RegisterTooNarrow { digits: bits, needed });
         }
-        let registers = Registers {
-            beat: Beat::Judge,
-            due: Axis::X,
-            f: 0,
-            je: magnitude,
-            end: EndCounter::new(rule, magnitude.map(u64::from)),
-        };
-        Ok(Self { registers, end: magnitude, negative: end.map(|c| c < 0), bits })
+        Ok(Self::loaded(magnitude.map(u64::from), end.map(|c| c < 0), rule, bits))
+    }
+
+    /// The circuit after a load of these contents.
+    pub(crate) fn loaded(end: [u64; 2], negative: [bool; 2], rule: EndRule, bits: u32) -> Self {
+        let end_counter = EndCounter::new(rule, end);
+        let registers =
+            Registers { beat: Beat::Judge, due: Axis::X, f: 0, je: end, end: end_counter };
+        Self { registers, end, negative, bits }
+    }
+
+    /// The circuit after a reset.
+    pub(crate) fn reset(bits: u32) -> Self {
+        Self::loaded([0; 2], [false; 2], EndRule::Total, bits)
     }
 
     fn next(&self) -> Registers {
@@ -73,8 +79,8 @@ impl Line {
             Beat::Feed => {}
             Beat::Update => {
                 let change = match q.due {
-                    Axis::X => -i64::from(self.end[1]),
-                    Axis::Y => i64::from(self.end[0]),
+                    Axis::X => -(self.end[1] as i64),
+                    Axis::Y => self.end[0] as i64,
                 };
                 next.f = wrap(q.f + change, self.bits + 1);
             }
@@ -122,13 +128,14 @@ impl Circuit for Line {
         probe.signal("fx", Kind::Bit, u64::from(q.due == Axis::X));
         probe.signal("f", Kind::Signed(self.bits + 1), q.f as u64);
         for axis in 0..2 {
-            let magnitude = u64::from(self.end[axis]);
-            probe.axis_signal("end_", axis, Kind::Unsigned(self.bits), magnitude);
+            probe.axis_signal("end_", axis, Kind::Unsigned(self.bits), self.end[axis]);
         }
         for axis in 0..2 {
-            let to_go = u64::from(q.je[axis]);
-            probe.axis_signal("je", axis, Kind::Unsigned(self.bits), to_go);
+            probe.axis_signal("je", axis, Kind::Unsigned(self.bits), q.je[axis]);
         }
-        probe.signal("e", Kind::Unsigned(self.bits + 1), q.end.e);
+        for axis in 0..2 {
+            probe.axis_signal("negative_", axis, Kind::Bit, u64::from(self.negative[axis]));
+        }
+        q.end.probe(self.bits + 1, probe);
     }
 }

@@ -37,6 +37,9 @@ pub trait Probe {
     /// A signal named for one axis: `stem` followed by the axis' letter.
     fn axis_signal(&mut self, stem: &'static str, axis: usize, kind: Kind, value: u64);
 
+    /// The signals that follow belong to a part of this name.
+    fn scope(&mut self, _: &'static str) {}
+
     /// A signal and its present value.
     fn signal(&mut self, name: &'static str, kind: Kind, value: u64);
 }
@@ -118,6 +121,10 @@ impl Probe for Declaration<'_> {
     fn axis_signal(&mut self, stem: &'static str, axis: usize, kind: Kind, _: u64) {
         let letter = AXIS_LETTERS[axis];
         self.signals.push(Signal { scope: self.scope, name: format!("{stem}{letter}"), kind });
+    }
+
+    fn scope(&mut self, name: &'static str) {
+        self.scope = name;
     }
 
     fn signal(&mut self, name: &'static str, kind: Kind, _: u64) {
