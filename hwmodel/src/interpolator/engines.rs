@@ -5,7 +5,7 @@ use super::decoder::Contents;
 use crate::trace::Probe;
 use crate::word::wrap;
 use crate::{Circuit, Sweep, brm, dda, ppc};
-use onepulse_core::{Direction, EndRule, Pulse, Quadrant};
+use onepulse_core::{Direction, Pulse, Quadrant};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Engines<const AXES: usize> {
@@ -56,7 +56,7 @@ impl<const AXES: usize> Engines<AXES> {
             }
             Some(Curve::PpcLine) => {
                 let negative = [first.negative[0], first.negative[1]];
-                self.ppc_line = ppc::Line::loaded([a, b], negative, EndRule::PerAxis, bits);
+                self.ppc_line = ppc::Line::loaded_per_axis([a, b], negative, bits);
             }
             Some(Curve::PpcArc) => {
                 self.ppc_arc = ppc::Arc::loaded_per_axis([a, b], sweep, bits);

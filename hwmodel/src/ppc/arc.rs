@@ -63,7 +63,7 @@ impl Arc {
     }
 
     /// The circuit after a load of these contents.
-    pub(super) const fn loaded(c: [u64; 2], sweep: Sweep, end: EndCounter, bits: u32) -> Self {
+    const fn loaded(c: [u64; 2], sweep: Sweep, end: EndCounter, bits: u32) -> Self {
         let due = sweep.towards();
         Self { registers: Registers { beat: Beat::Judge, due, f: 0, c, sweep, end }, bits }
     }

@@ -48,20 +48,24 @@ impl Line {
         if bits < needed {
             return Err(Error::RegisterTooNarrow { digits: bits, needed });
         }
-        Ok(Self::loaded(magnitude.map(u64::from), end.map(|c| c < 0), rule, bits))
+        let end_counter = EndCounter::new(rule, magnitude.map(u64::from));
+        Ok(Self::loaded(magnitude.map(u64::from), end.map(|c| c < 0), end_counter, bits))
     }
 
     /// The circuit after a load of these contents.
-    pub(crate) fn loaded(end: [u64; 2], negative: [bool; 2], rule: EndRule, bits: u32) -> Self {
-        let end_counter = EndCounter::new(rule, end);
-        let registers =
-            Registers { beat: Beat::Judge, due: Axis::X, f: 0, je: end, end: end_counter };
+    const fn loaded(end: [u64; 2], negative: [bool; 2], counter: EndCounter, bits: u32) -> Self {
+        let registers = Registers { beat: Beat::Judge, due: Axis::X, f: 0, je: end, end: counter };
         Self { registers, end, negative, bits }
     }
 
+    /// The circuit after a load under the rule of two counters.
+    pub(crate) const fn loaded_per_axis(end: [u64; 2], negative: [bool; 2], bits: u32) -> Self {
+        Self::loaded(end, negative, EndCounter::new(EndRule::PerAxis, [0; 2]), bits)
+    }
+
     /// The circuit after a reset.
-    pub(crate) fn reset(bits: u32) -> Self {
-        Self::loaded([0; 2], [false; 2], EndRule::Total, bits)
+    pub(crate) const fn reset(bits: u32) -> Self {
+        Self::loaded([0; 2], [false; 2], EndCounter::new(EndRule::Total, [0; 2]), bits)
     }
 
     fn next(&self) -> Registers {

@@ -45,9 +45,12 @@ pub trait Probe {
 }
 
 /// The signals of a trace, in the order of their numbers.
+///
+/// As a [`Probe`] it takes in what is shown to it, in the scope that was named last.
 #[derive(Clone, Debug, Default)]
 pub struct SignalList {
     signals: Vec<Signal>,
+    scope: &'static str,
 }
 
 impl SignalList {
@@ -75,7 +78,8 @@ impl SignalList {
     /// Adds the signals of a circuit, in a scope of its name; the number of the first one.
     pub fn add_circuit<C: Circuit<AXES>, const AXES: usize>(&mut self, circuit: &C) -> usize {
         let first = self.signals.len();
-        circuit.probe(&mut Declaration { scope: C::NAME, signals: &mut self.signals });
+        self.scope(C::NAME);
+        circuit.probe(self);
         first
     }
 
@@ -112,12 +116,7 @@ impl Kind {
     }
 }
 
-struct Declaration<'a> {
-    scope: &'static str,
-    signals: &'a mut Vec<Signal>,
-}
-
-impl Probe for Declaration<'_> {
+impl Probe for SignalList {
     fn axis_signal(&mut self, stem: &'static str, axis: usize, kind: Kind, _: u64) {
         let letter = AXIS_LETTERS[axis];
         self.signals.push(Signal { scope: self.scope, name: format!("{stem}{letter}"), kind });

@@ -49,10 +49,15 @@ impl<W: Wave> Tracer<W> {
         self.failed = stamp.and_then(|()| self.wave.change(signal, value)).err();
     }
 
+    /// As a [`Probe`], for values of which the first is that of signal number `first`.
+    pub fn from(&mut self, first: usize) -> &mut Self {
+        self.cursor = first;
+        self
+    }
+
     /// The present values of a circuit whose first signal has the number `first`.
     pub fn sample<C: Circuit<AXES>, const AXES: usize>(&mut self, first: usize, circuit: &C) {
-        self.cursor = first;
-        circuit.probe(self);
+        circuit.probe(self.from(first));
     }
 
     /// Whether everything could be written so far.

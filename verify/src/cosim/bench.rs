@@ -72,7 +72,7 @@ impl Bench {
             if Some(model) != *twin {
                 let clock = self.clocks - clocks + (at / width) as u64;
                 let twin = twin.map_or("unknown".to_owned(), |word| word.to_string());
-                let signal = output.signal;
+                let signal = &output.signal;
                 return Err(Fault::Differs(format!(
                     "clock {clock}: {signal} is {model} in the model, {twin} in the twin"
                 )));

@@ -152,17 +152,26 @@ impl Engine {
         };
         let each = |signals: &[&'static str], port| -> Vec<Output> {
             let parts = Port::each(port, n, signals.len());
-            signals.iter().zip(parts).map(|(signal, part)| Output::new(signal, part)).collect()
+            signals.iter().zip(parts).map(|(signal, part)| Output::new(*signal, part)).collect()
         };
+        // The sign flip-flops, whether there is a pulse or not.
+        let signs = |axes: usize| -> Vec<Output> {
+            let parts = Port::each("o_negative", 1, axes);
+            let signals = ["negative_x", "negative_y", "negative_z", "negative_a"];
+            signals.iter().zip(parts).map(|(signal, part)| Output::new(*signal, part)).collect()
+        };
+        let rule = || [whole("rule", "o_rule", 2), whole("larger_is_y", "o_larger_is_y", 1)];
         let mut outputs = Vec::new();
         match self {
             Self::DdaLine | Self::DdaLine4 => {
                 outputs.extend(each(&["jvx", "jvy", "jvz", "jva"][..self.axes()], "o_jv"));
                 outputs.extend(each(&["jrx", "jry", "jrz", "jra"][..self.axes()], "o_jr"));
                 outputs.push(whole("je", "o_je", n + 1));
+                outputs.extend(signs(self.axes()));
             }
             Self::DdaArc => {
                 outputs.push(whole("beat", "o_beat", 1));
+                outputs.push(whole("unit", "o_unit", n));
                 outputs.push(whole("sumx", "o_sumx", n + 1));
                 outputs.push(whole("sumy", "o_sumy", n + 1));
                 for (signal, port) in
@@ -174,6 +183,7 @@ impl Engine {
             }
             Self::DdaCentredArc => {
                 outputs.push(whole("beat", "o_beat", 2));
+                outputs.push(whole("unit", "o_unit", n));
                 outputs.push(whole("sum", "o_sum", n + 2));
                 for (signal, port) in
                     [("x", "o_x"), ("y", "o_y"), ("jrx", "o_jrx"), ("jry", "o_jry")]
@@ -192,6 +202,8 @@ impl Engine {
                     outputs.push(whole(signal, port, n));
                 }
                 outputs.push(whole("e", "o_e", n + 1));
+                outputs.extend(signs(2));
+                outputs.extend(rule());
             }
             Self::PpcArc => {
                 outputs.push(whole("beat", "o_beat", 2));
@@ -201,6 +213,7 @@ impl Engine {
                 outputs.push(whole("cy", "o_cy", n));
                 outputs.extend(sweep());
                 outputs.push(whole("e", "o_e", n + 4));
+                outputs.extend(rule());
             }
             Self::BrmLine => {
                 outputs.push(whole("tg", "o_tg", 1));
@@ -208,6 +221,7 @@ impl Engine {
                 outputs.extend(each(&["value_x", "value_y"], "o_value"));
                 outputs.push(whole("stages", "o_stages", n));
                 outputs.push(whole("overflow", "o_overflow", 1));
+                outputs.extend(signs(2));
             }
         }
         outputs

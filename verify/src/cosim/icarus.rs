@@ -97,10 +97,10 @@ fn source(ports: &Ports) -> String {
         }
     }
     for output in outputs {
-        let Port { name, low, width } = output.port;
-        let part = |name| format!("{name}[{low} +: {width}]");
+        let Port { name, low, width } = &output.port;
+        let part = |name: &str| format!("{name}[{low} +: {width}]");
         let gate = output.gate.map_or(String::new(), |gate| format!(" & {}", part(gate)));
-        let (high, signal) = (width - 1, output.signal);
+        let (high, signal) = (width - 1, &output.signal);
         let _ = writeln!(declared, "    wire [{high}:0] {signal} = {}{gate};", part(name));
     }
     let connected = ins.iter().chain(&outs).map(|(name, _)| format!(", .{name}({name})"));
@@ -111,7 +111,7 @@ fn source(ports: &Ports) -> String {
     }
     let words = |count: usize| join((0..count).map(|at| format!("in_{at}")).collect(), ", ");
     let (read, ins) = (words(inputs.len()), inputs.len());
-    let shown = join(outputs.iter().map(|output| output.signal.to_owned()).collect(), ", ");
+    let shown = join(outputs.iter().map(|output| output.signal.clone()).collect(), ", ");
     let formats = |count| join(vec!["%h".to_owned(); count], " ");
     let (format_in, format_out) = (formats(ins), formats(outputs.len()));
     format!(
@@ -149,13 +149,13 @@ endmodule
 }
 
 /// The whole ports behind some words, each once, with their widths.
-fn whole<'a>(words: impl Iterator<Item = &'a Port>) -> Vec<(&'static str, u32)> {
-    let mut whole: Vec<(&'static str, u32)> = Vec::new();
+fn whole<'a>(words: impl Iterator<Item = &'a Port>) -> Vec<(&'a str, u32)> {
+    let mut whole: Vec<(&str, u32)> = Vec::new();
     for port in words {
         let high = port.low + port.width;
         match whole.iter_mut().find(|(name, _)| *name == port.name) {
             Some((_, width)) => *width = high.max(*width),
-            None => whole.push((port.name, high)),
+            None => whole.push((&port.name, high)),
         }
     }
     whole

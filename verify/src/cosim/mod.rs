@@ -8,6 +8,7 @@
 //! | `bench` | clocks for a twin, compared with what the model says |
 //! | `wave`, `waves` | the model's wave of a run, compared with that of Icarus |
 //! | `engine`, `stimulus`, `driven`, `run` | the engines' ports, commands, pulse source and runs |
+//! | `machine` | the whole interpolator and who gives it commands |
 //! | `mutants` | changes of the Verilog that each comparison must find |
 //!
 //! What stands above the engines knows nothing of them: any module can be compared that is
@@ -18,6 +19,7 @@ mod driven;
 mod engine;
 mod fault;
 mod icarus;
+mod machine;
 mod mutants;
 mod ports;
 mod reading;
@@ -33,7 +35,9 @@ use clap::Args;
 use engine::Engine;
 use fault::Fault;
 use icarus::Icarus;
-use run::Plan;
+use onepulse_hwmodel::interpolator::Interpolator;
+use ports::Ports;
+use run::{Plan, Summary};
 use simulator::Tool;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -75,6 +79,9 @@ pub struct Options {
 /// The register widths that are co-simulated.
 const WIDTHS: [u32; 4] = [8, 16, 24, 32];
 
+/// The interpolators that are co-simulated: width and number of axes.
+const MACHINES: [(u32, usize); 5] = [(8, 2), (8, 4), (16, 3), (24, 2), (32, 4)];
+
 /// Runs the co-simulations that are asked for.
 ///
 /// # Errors
@@ -84,57 +91,117 @@ pub fn run(options: &Options) -> Result<(), String> {
     if options.mutants {
         let bits = options.bits.unwrap_or(WIDTHS[0]);
         return mutants::run(&options.rtl, &options.build, |rtl, build, engine| {
-            options.check(rtl, build, engine, bits).map(drop)
+            options.check(rtl, build, Twin::Engine { engine, bits }).map(drop)
         });
     }
-    let is_asked = |engine: &Engine| options.module.as_ref().is_none_or(|m| m == engine.module());
-    let engines: Vec<_> = Engine::ALL.into_iter().filter(is_asked).collect();
-    let widths: Vec<_> =
-        WIDTHS.into_iter().filter(|bits| options.bits.is_none_or(|b| b == *bits)).collect();
-    if engines.is_empty() || widths.is_empty() {
+    let is_asked = |twin: &Twin| {
+        options.module.as_ref().is_none_or(|module| module == twin.module())
+            && options.bits.is_none_or(|bits| bits == twin.bits())
+    };
+    let engines = Engine::ALL.into_iter();
+    let twins = engines.flat_map(|engine| WIDTHS.map(|bits| Twin::Engine { engine, bits }));
+    let machines = MACHINES.map(|(bits, axes)| Twin::Machine { bits, axes });
+    let twins: Vec<_> = twins.chain(machines).filter(is_asked).collect();
+    if twins.is_empty() {
         return Err("there is no such module or width".to_owned());
     }
-    for engine in engines {
-        for &bits in &widths {
-            let equal = options
-                .check(&options.rtl, &options.build, engine, bits)
-                .map_err(|fault| fault.within(&format!("{} of {bits} bits", engine.module())))?;
-            println!("{:16} {bits:2} bits, {} axes: {equal}", engine.module(), engine.axes());
-        }
+    for twin in twins {
+        let (module, bits, axes) = (twin.module(), twin.bits(), twin.axes());
+        let equal = options
+            .check(&options.rtl, &options.build, twin)
+            .map_err(|fault| fault.within(&format!("{module} of {bits} bits, {axes} axes")))?;
+        println!("{module:16} {bits:2} bits, {axes} axes: {equal}");
     }
     Ok(())
 }
 
+/// What is compared: an engine or the whole interpolator, at a width.
+#[derive(Clone, Copy, Debug)]
+enum Twin {
+    Engine { engine: Engine, bits: u32 },
+    Machine { bits: u32, axes: usize },
+}
+
+impl Twin {
+    const fn module(self) -> &'static str {
+        match self {
+            Self::Engine { engine, .. } => engine.module(),
+            Self::Machine { .. } => Interpolator::<2>::NAME,
+        }
+    }
+
+    const fn bits(self) -> u32 {
+        match self {
+            Self::Engine { bits, .. } | Self::Machine { bits, .. } => bits,
+        }
+    }
+
+    const fn axes(self) -> usize {
+        match self {
+            Self::Engine { engine, .. } => engine.axes(),
+            Self::Machine { axes, .. } => axes,
+        }
+    }
+
+    fn ports(self) -> Result<Ports, String> {
+        match self {
+            Self::Engine { engine, bits } => Ok(engine.ports(bits)),
+            Self::Machine { bits, axes } => {
+                machine::Plan { bits, axes, seed: 0, clocks: 0, wave: None }.ports()
+            }
+        }
+    }
+
+    fn run(
+        self,
+        bench: Bench,
+        seed: u64,
+        clocks: u64,
+        wave: Option<&Path>,
+    ) -> Result<Summary, Fault> {
+        match self {
+            Self::Engine { engine, bits } => Plan { engine, bits, seed, clocks, wave }.run(bench),
+            Self::Machine { bits, axes } => {
+                machine::Plan { bits, axes, seed, clocks, wave }.run(bench)
+            }
+        }
+    }
+}
+
 impl Options {
-    /// Compares one module at one width, and says what was equal.
-    fn check(&self, rtl: &Path, build: &Path, engine: Engine, bits: u32) -> Result<String, Fault> {
+    /// Compares one twin, and says what was equal.
+    fn check(&self, rtl: &Path, build: &Path, twin: Twin) -> Result<String, Fault> {
         let enough = if self.waves { 40_000 } else { 300_000 };
         let clocks = self.clocks.unwrap_or(enough);
-        let plan = Plan { engine, bits, seed: self.seed, clocks, wave: None };
         let begun = Instant::now();
+        let ports = twin.ports()?;
         if self.waves {
-            return waves_of(rtl, build, plan);
+            return waves_of(rtl, build, ports, |bench, wave| {
+                twin.run(bench, self.seed, clocks, Some(wave))
+            });
         }
-        let ports = engine.ports(bits);
         let simulator = self.simulator.start(rtl, build, &ports)?;
         let built = begun.elapsed();
-        let run = plan.run(Bench::new(ports, simulator))?;
+        let run = twin.run(Bench::new(ports, simulator), self.seed, clocks, None)?;
         let seconds = (begun.elapsed() - built).as_secs_f64();
         Ok(format!("{run} equal, {seconds:.1} s"))
     }
 }
 
 /// Compares the waves of a run, which stay in the folder `waves`.
-fn waves_of(rtl: &Path, build: &Path, plan: Plan<'_>) -> Result<String, Fault> {
-    let ports = plan.engine.ports(plan.bits);
+fn waves_of(
+    rtl: &Path,
+    build: &Path,
+    ports: Ports,
+    run: impl FnOnce(Bench, &Path) -> Result<Summary, Fault>,
+) -> Result<String, Fault> {
     let folder = build.join("waves");
     fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
     let [model, twin] =
         ["model", "twin"].map(|side| folder.join(format!("{}_{side}.vcd", ports.label())));
     let simulator = Icarus::start(rtl, build, &ports, Some(&twin))?;
     // The twin has written all of its wave when the bench is gone.
-    let run =
-        Plan { wave: Some(&model), ..plan }.run(Bench::new(ports.clone(), Box::new(simulator)))?;
+    let run = run(Bench::new(ports.clone(), Box::new(simulator)), &model)?;
     let Compared { signals, changes } =
         waves::compare(&ports, &run.list, run.clocks, &model, &twin)?;
     Ok(format!("{run}: {changes:6} changes of {signals} signals equal"))

@@ -12,18 +12,18 @@ pub(super) struct Ports {
 }
 
 /// A part of a port, of up to 64 bits: one word.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Port {
-    pub(super) name: &'static str,
+    pub(super) name: String,
     pub(super) low: u32,
     pub(super) width: u32,
 }
 
 /// A word that comes out, and the signal of the Rust model that it must equal. The signal's name is
 /// an identifier in Verilog, and not that of a port.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Output {
-    pub(super) signal: &'static str,
+    pub(super) signal: String,
     pub(super) port: Port,
     /// A port whose bits say which bits of this one mean anything; the others count as 0.
     pub(super) gate: Option<&'static str>,
@@ -31,19 +31,20 @@ pub(super) struct Output {
 
 impl Port {
     /// A whole port.
-    pub(super) const fn whole(name: &'static str, width: u32) -> Self {
-        Self { name, low: 0, width }
+    pub(super) fn whole(name: impl Into<String>, width: u32) -> Self {
+        Self { name: name.into(), low: 0, width }
     }
 
     /// A vector with a word for each axis.
-    pub(super) fn each(name: &'static str, width: u32, axes: usize) -> Vec<Self> {
-        (0..axes as u32).map(|axis| Self { name, low: axis * width, width }).collect()
+    pub(super) fn each(name: &str, width: u32, axes: usize) -> Vec<Self> {
+        let part = |axis| Self { name: name.to_owned(), low: axis * width, width };
+        (0..axes as u32).map(part).collect()
     }
 }
 
 impl Output {
-    pub(super) const fn new(signal: &'static str, port: Port) -> Self {
-        Self { signal, port, gate: None }
+    pub(super) fn new(signal: impl Into<String>, port: Port) -> Self {
+        Self { signal: signal.into(), port, gate: None }
     }
 
     /// The bits of a word that the port has.

@@ -1,7 +1,7 @@
 //! The signals of a circuit as words.
 
 use onepulse_hwmodel::Circuit;
-use onepulse_hwmodel::trace::{Kind, Probe, SignalList};
+use onepulse_hwmodel::trace::{Kind, Probe, Signal, SignalList};
 
 /// The values of a circuit's signals, in the circuit's order.
 #[derive(Debug)]
@@ -50,7 +50,11 @@ impl Registers {
     }
 }
 
-/// The number of the first signal of that name.
+/// The number of the first signal of that name, alone or with its scope before an underscore.
 pub(super) fn place(list: &SignalList, name: &str) -> Option<usize> {
-    list.signals().iter().position(|signal| signal.name == name)
+    let is_named = |Signal { scope, name: own, .. }: &Signal| {
+        let rest = name.strip_prefix(scope).and_then(|rest| rest.strip_prefix('_'));
+        own == name || rest == Some(own)
+    };
+    list.signals().iter().position(is_named)
 }

@@ -123,7 +123,7 @@ impl<'a, C: Circuit<AXES>, const AXES: usize> Run<'a, C, AXES> {
         let wave = plan.wave.map(|path| ModelWave::create(path, &list)).transpose()?;
         let mut places = Vec::new();
         for output in &bench.ports().outputs {
-            let at = place(&list, output.signal);
+            let at = place(&list, &output.signal);
             places.push(at.ok_or_else(|| format!("the circuit has no {}", output.signal))?);
         }
         let ports = vec![0; example.words.len()];
@@ -201,7 +201,7 @@ impl<'a, C: Circuit<AXES>, const AXES: usize> Run<'a, C, AXES> {
             Model::Off => return None,
             Model::Reset => {
                 let outputs = self.bench.ports().outputs.iter();
-                return Some(outputs.map(|output| Engine::after_reset(output.signal)).collect());
+                return Some(outputs.map(|output| Engine::after_reset(&output.signal)).collect());
             }
             Model::Loaded(driven) => driven,
         };

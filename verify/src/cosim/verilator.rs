@@ -72,9 +72,10 @@ fn source(ports: &Ports) -> String {
     }
     let mut sample = String::new();
     for (at, output) in ports.outputs.iter().enumerate() {
-        let part = |name| format!("part(top.{name}, {}, {})", output.port.low, output.port.width);
+        let part =
+            |name: &str| format!("part(top.{name}, {}, {})", output.port.low, output.port.width);
         let gate = output.gate.map_or(String::new(), |gate| format!(" & {}", part(gate)));
-        let _ = writeln!(sample, "      out[{at}] = {}{gate};", part(output.port.name));
+        let _ = writeln!(sample, "      out[{at}] = {}{gate};", part(&output.port.name));
     }
     format!(
         r#"#include "V{module}.h"

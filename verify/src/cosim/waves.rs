@@ -3,6 +3,7 @@
 
 use super::fault::Fault;
 use super::ports::Ports;
+use super::reading::place;
 use super::wave::rise;
 use onepulse_hwmodel::trace::{Kind, Signal, SignalList};
 use std::collections::HashMap;
@@ -45,9 +46,9 @@ pub(super) fn compare(
     }
     let mut compared = Compared { signals: 0, changes: 0 };
     let mut first: Option<(u64, String)> = None;
-    for name in ports.outputs.iter().map(|output| output.signal).chain(["clk"]) {
-        let signal = list.signals().iter().find(|signal| signal.name == name);
-        let signal = signal.ok_or_else(|| format!("the model has no {name}"))?;
+    for name in ports.outputs.iter().map(|output| &*output.signal).chain(["clk"]) {
+        let at = place(list, name).ok_or_else(|| format!("the model has no {name}"))?;
+        let signal = &list.signals()[at];
         let ours = model.changes(&model_name(signal), signal.kind)?;
         // Icarus knows no words.
         let theirs = twin.changes(&format!("bench.{name}"), Kind::Unsigned(64))?;
