@@ -408,5 +408,6 @@ module interpolator #(
         end
     endgenerate
 
-    assign o_done = ~o_running & ~has_entry & o_decoder_state == 4'd0 & o_pulse == 0 & &stage_idle;
+    // A curve still counts as running when its last pulse is in o_pulse.
+    assign o_done = ~o_running & ~has_entry & o_decoder_state == 4'd0 & &stage_idle;
 endmodule

@@ -16,6 +16,7 @@ pub mod brm_line;
 pub mod cosim;
 pub mod dda_arc;
 pub mod dda_line;
+mod in_parallel;
 mod lattice;
 mod mutant;
 pub mod ppc_arc;

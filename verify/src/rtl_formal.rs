@@ -1,12 +1,12 @@
 //! Formal checks of the Verilog twins: the asserts of `hwmodel/rtl/formal/*_props.v`, for every
 //! command and every pattern of the pulse source, from reset (bounded) and by induction.
 
+use crate::in_parallel::in_parallel;
 use crate::mutant::{Mutant, is_verilog};
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::Mutex;
 use std::time::Instant;
 
 /// What to check.
@@ -52,7 +52,7 @@ const fn mutant(
     from: &'static str,
     to: &'static str,
 ) -> (&'static str, Mutant) {
-    (module, Mutant { file, from, to })
+    (module, Mutant::new(file, from, to))
 }
 
 /// What each property is there to find.
@@ -198,28 +198,4 @@ fn run_tool(tool: &str, arguments: &[&str]) -> Result<Result<String, String>, St
     let mut text = String::from_utf8_lossy(&output.stdout).into_owned();
     text.push_str(&String::from_utf8_lossy(&output.stderr));
     Ok(if output.status.success() { Ok(text) } else { Err(text) })
-}
-
-/// Does all jobs, as many at a time as there are processors; the first error.
-fn in_parallel<J: Sync>(
-    jobs: &[J],
-    work: impl Fn(&J) -> Result<(), String> + Sync,
-) -> Result<(), String> {
-    let next = Mutex::new(jobs.iter());
-    let failed = Mutex::new(None);
-    let workers = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 0..workers {
-            scope.spawn(|| {
-                loop {
-                    let job = next.lock().ok().and_then(|mut jobs| jobs.next());
-                    let Some(job) = job else { return };
-                    if let (Err(why), Ok(mut failed)) = (work(job), failed.lock()) {
-                        failed.get_or_insert(why);
-                    }
-                }
-            });
-        }
-    });
-    failed.into_inner().ok().flatten().map_or(Ok(()), Err)
 }

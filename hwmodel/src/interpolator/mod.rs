@@ -140,10 +140,10 @@ impl<const AXES: usize> Interpolator<AXES> {
     /// The done wire: all commands are carried out, to the last step.
     #[must_use]
     pub fn done(&self) -> bool {
+        // A curve still counts as running when its last pulse is in the pulse register.
         !self.is_running
             && self.fifo.head().is_none()
             && self.decoder.is_idle()
-            && self.pulse == Pulse::NONE
             && self.stages.iter().all(StepDir::is_idle)
     }
 

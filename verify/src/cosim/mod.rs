@@ -89,9 +89,9 @@ const MACHINES: [(u32, usize); 5] = [(8, 2), (8, 4), (16, 3), (24, 2), (32, 4)];
 /// and both values.
 pub fn run(options: &Options) -> Result<(), String> {
     if options.mutants {
-        let bits = options.bits.unwrap_or(WIDTHS[0]);
-        return mutants::run(&options.rtl, &options.build, |rtl, build, engine| {
-            options.check(rtl, build, Twin::Engine { engine, bits }).map(drop)
+        // Waves take long, and differ where the words do.
+        return mutants::run(&options.rtl, &options.build, !options.waves, |rtl, build, twin| {
+            options.check(rtl, build, twin).map(drop)
         });
     }
     let is_asked = |twin: &Twin| {
