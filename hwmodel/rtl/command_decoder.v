@@ -6,8 +6,9 @@
 //   idle       takes a command
 //   magnitude  |start|, |end|; end counters <- end - start
 //   check      what can be refused at once is; quadrants, crossings
-//   square     R^2 = x^2 + y^2, a bit of each in two clocks; with it the vector product of start
-//              and end, which tells a full turn from none when both lie in one quadrant
+//   square     R^2 = x^2 + y^2, a bit of each in two clocks, from the lowest; with it the sign of the
+//              vector product of start and end, which tells a full turn from none when both lie in
+//              one quadrant
 //   turn       four crossings if the end does not lie ahead
 //   root       R, a bit a clock
 //   round      R, rounded up
@@ -76,8 +77,10 @@ module command_decoder #(
     output reg  [6:0]        o_count,
     output reg  [W-1:0]      o_bits_x,
     output reg  [W-1:0]      o_bits_y,
-    output reg  [2*W-1:0]    o_square,
-    output reg  [2*W-1:0]    o_turn,
+    output reg  [W:0]        o_high,
+    output reg  [W-1:0]      o_low,
+    output reg  [W+1:0]      o_turn,
+    output reg               o_turn_rest,
     output reg  [N+1:0]      o_root,
     output reg  [N+1:0]      o_rest
 );
@@ -158,22 +161,20 @@ module command_decoder #(
         : o_period < SHORTEST ? PERIOD
         : NONE;
 
-    // Square: the bits of x and y from the top, one after the other.
-    wire         is_y      = o_count[0];
-    wire         bit_now   = is_y ? o_bits_y[W-1] : o_bits_x[W-1];
-    wire [W-1:0] factor    = is_y ? start_y : start_x;
-    wire [W-1:0] crossed   = is_y ? end_x : end_y;
-    wire [2*W-1:0] addend  = {{W{1'b0}}, factor & {W{bit_now}}};
-    wire [2*W-1:0] product = {{W{1'b0}}, crossed & {W{bit_now}}};
-    wire [2*W-1:0] square  = (is_y ? o_square : o_square << 1) + addend;
-    wire [2*W-1:0] turn    = (is_y ? o_turn : o_turn << 1) + (product ^ {2*W{is_y}})
-                           + {{(2*W-1){1'b0}}, is_y};
+    // Square: what is summed up moves down a place for each bit, so the adders are as wide as a
+    // coordinate. Of the vector product only the sign is asked for, and whether anything is left.
+    wire         is_y    = o_count[0];
+    wire         bit_now = is_y ? o_bits_y[0] : o_bits_x[0];
+    wire [W-1:0] factor  = (is_y ? start_y : start_x) & {W{bit_now}};
+    wire [W-1:0] crossed = (is_y ? end_x : end_y) & {W{bit_now}};
+    wire [W:0]   high    = o_high + {1'b0, factor};
+    wire [W+1:0] turn    = o_turn + ({2'b00, crossed} ^ {(W+2){is_y}}) + {{(W+1){1'b0}}, is_y};
     // Counter-clockwise the end lies ahead if the vector product is positive; that of the
     // magnitudes has its sign turned in II and IV.
-    wire is_ahead = o_turn != 0 & o_turn[2*W-1] == (o_quadrant[0] ^ o_cw);
+    wire is_ahead = (o_turn != 0 | o_turn_rest) & o_turn[W+1] == (o_quadrant[0] ^ o_cw);
 
     // Root: the next two bits of the square, and what must be left of them for a one.
-    wire [N+3:0] rest      = {o_rest, o_square[2*W-1:2*W-2]};
+    wire [N+3:0] rest      = {o_rest, o_high[W-1:W-2]};
     wire [N+4:0] rest_left = {1'b0, rest} - {1'b0, o_root, 2'b01};
     wire         is_one    = ~rest_left[N+4];
 
@@ -233,8 +234,10 @@ module command_decoder #(
             o_count          <= 7'd0;
             o_bits_x         <= {W{1'b0}};
             o_bits_y         <= {W{1'b0}};
-            o_square         <= {2*W{1'b0}};
-            o_turn           <= {2*W{1'b0}};
+            o_high           <= {(W+1){1'b0}};
+            o_low            <= {W{1'b0}};
+            o_turn           <= {(W+2){1'b0}};
+            o_turn_rest      <= 1'b0;
             o_root           <= {(N+2){1'b0}};
             o_rest           <= {(N+2){1'b0}};
         end else begin
@@ -278,19 +281,23 @@ module command_decoder #(
                     o_count     <= 7'd0;
                     o_bits_x    <= start_x;
                     o_bits_y    <= start_y;
-                    o_square    <= {2*W{1'b0}};
-                    o_turn      <= {2*W{1'b0}};
+                    o_high      <= {(W+1){1'b0}};
+                    o_low       <= {W{1'b0}};
+                    o_turn      <= {(W+2){1'b0}};
+                    o_turn_rest <= 1'b0;
                     o_root      <= {(N+2){1'b0}};
                     o_rest      <= {(N+2){1'b0}};
                 end
                 SQUARE: begin
-                    o_square <= square;
-                    o_turn   <= turn;
+                    o_high <= is_y ? high >> 1 : high;
+                    o_turn <= is_y ? {turn[W+1], turn[W+1:1]} : turn;
                     if (is_y) begin
-                        o_bits_x <= o_bits_x << 1;
-                        o_bits_y <= o_bits_y << 1;
+                        o_low       <= {high[0], o_low[W-1:1]};
+                        o_turn_rest <= o_turn_rest | turn[0];
+                        o_bits_x    <= o_bits_x >> 1;
+                        o_bits_y    <= o_bits_y >> 1;
                     end
-                    o_count  <= o_count + 7'd1;
+                    o_count <= o_count + 7'd1;
                     if (o_count == LAST_SQUARE[6:0]) o_state <= TURN;
                 end
                 TURN: begin
@@ -299,7 +306,8 @@ module command_decoder #(
                     if (o_crossings == 0 & ~is_ahead) o_crossings <= 3'd4;
                 end
                 ROOT: begin
-                    o_square <= o_square << 2;
+                    o_high   <= {o_high[W-2:0], o_low[W-1:W-2]};
+                    o_low    <= o_low << 2;
                     o_root   <= {o_root[N:0], is_one};
                     o_rest   <= is_one ? rest_left[N+1:0] : rest[N+1:0];
                     o_count  <= o_count + 7'd1;

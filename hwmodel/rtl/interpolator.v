@@ -90,8 +90,10 @@ module interpolator #(
     output wire [6:0]        o_decoder_count,
     output wire [W-1:0]      o_decoder_bits_x,
     output wire [W-1:0]      o_decoder_bits_y,
-    output wire [2*W-1:0]    o_decoder_square,
-    output wire [2*W-1:0]    o_decoder_turn,
+    output wire [W:0]        o_decoder_high,
+    output wire [W-1:0]      o_decoder_low,
+    output wire [W+1:0]      o_decoder_turn,
+    output wire              o_decoder_turn_rest,
     output wire [N+1:0]      o_decoder_root,
     output wire [N+1:0]      o_decoder_rest,
     // registers of dda_line
@@ -226,8 +228,9 @@ module interpolator #(
         .o_jey(o_decoder_jey), .o_preset(o_decoder_preset), .o_normalize(o_decoder_normalize),
         .o_start(o_decoder_start), .o_end(o_decoder_end),
         .o_start_negative(o_decoder_start_negative), .o_count(o_decoder_count),
-        .o_bits_x(o_decoder_bits_x), .o_bits_y(o_decoder_bits_y), .o_square(o_decoder_square),
-        .o_turn(o_decoder_turn), .o_root(o_decoder_root), .o_rest(o_decoder_rest)
+        .o_bits_x(o_decoder_bits_x), .o_bits_y(o_decoder_bits_y), .o_high(o_decoder_high),
+        .o_low(o_decoder_low), .o_turn(o_decoder_turn), .o_turn_rest(o_decoder_turn_rest),
+        .o_root(o_decoder_root), .o_rest(o_decoder_rest)
     );
 
     command_fifo #(.WIDTH(ENTRY), .LOG_DEPTH(LOG_DEPTH)) fifo (

@@ -62,19 +62,41 @@ module sweep #(
     // The circle of radius 1 steps through its centre: the quadrant being left is kept there.
     wire crosses         = ~o_last & towards_is_zero & ~away_is_zero;
 
-    // The quadrant after this look, or after the load: I, II, III, IV are 0 to 3, counter-clockwise.
-    // At a crossing, what was fed away from zero is fed towards it.
-    wire last         = i_load ? i_crossings == 0 : crosses ? o_crossings == 1 : o_last;
-    wire towards_is_y = i_load ? i_quadrant[0] ^ i_cw : o_towards_is_y ^ crosses;
-    wire feeds_nx     = i_load ? ~i_quadrant[1] ^ i_cw : o_feeds_nx ^ (crosses & o_towards_is_y);
-    wire feeds_ny     = i_load ? i_quadrant[1] ^ i_quadrant[0] ^ i_cw
-                               : o_feeds_ny ^ (crosses & ~o_towards_is_y);
-    wire x_at_end     = i_load ? i_jex == 0 : o_jex == 0;
-    wire y_at_end     = i_load ? i_jey == 0 : o_jey == 0;
-    wire x_back       = i_load ? i_jex[N+1] : o_jex[N+1];
-    wire y_back       = i_load ? i_jey[N+1] : o_jey[N+1];
-    wire x_stands     = last & (x_at_end | (x_back ^ feeds_nx));
-    wire y_stands     = last & (y_at_end | (y_back ^ feeds_ny));
+    // Each flip-flop of a look has the value that it gets without a crossing and with one (c); that
+    // there is a crossing is known last of all. At a crossing, what was fed away from zero is fed
+    // towards it.
+    wire x_at_end       = o_jex == 0;
+    wire y_at_end       = o_jey == 0;
+    wire x_back         = o_jex[N+1];
+    wire y_back         = o_jey[N+1];
+    wire last_c         = o_crossings == 1;
+    wire feeds_nx_c     = o_feeds_nx ^ o_towards_is_y;
+    wire feeds_ny_c     = o_feeds_ny ^ ~o_towards_is_y;
+    wire x_stands       = o_last & (x_at_end | (x_back ^ o_feeds_nx));
+    wire y_stands       = o_last & (y_at_end | (y_back ^ o_feeds_ny));
+    wire x_stands_c     = last_c & (x_at_end | (x_back ^ feeds_nx_c));
+    wire y_stands_c     = last_c & (y_at_end | (y_back ^ feeds_ny_c));
+    wire stepping_out   = (x_stands & y_stands) | (x_stands & i_x_is_zero)
+                        | (y_stands & i_y_is_zero);
+    wire stepping_out_c = (x_stands_c & y_stands_c) | (x_stands_c & i_x_is_zero)
+                        | (y_stands_c & i_y_is_zero);
+    // In the last quadrant every pulse leads to the end point, stepped out or not.
+    wire nx             = o_last ? x_back : o_feeds_nx;
+    wire ny             = o_last ? y_back : o_feeds_ny;
+    wire nx_c           = last_c ? x_back : feeds_nx_c;
+    wire ny_c           = last_c ? y_back : feeds_ny_c;
+
+    // The same after a load: the quadrants I, II, III, IV are 0 to 3, counter-clockwise.
+    wire load_last         = i_crossings == 0;
+    wire load_towards_is_y = i_quadrant[0] ^ i_cw;
+    wire load_feeds_nx     = ~i_quadrant[1] ^ i_cw;
+    wire load_feeds_ny     = i_quadrant[1] ^ i_quadrant[0] ^ i_cw;
+    wire load_x_at_end     = i_jex == 0;
+    wire load_y_at_end     = i_jey == 0;
+    wire load_x_runs_back  = load_last & (i_jex[N+1] ^ load_feeds_nx);
+    wire load_y_runs_back  = load_last & (i_jey[N+1] ^ load_feeds_ny);
+    wire load_x_stands     = (load_last & load_x_at_end) | load_x_runs_back;
+    wire load_y_stands     = (load_last & load_y_at_end) | load_y_runs_back;
 
     // -1 for a positive pulse, +1 for a negative one.
     wire [N+1:0] count_x = {{(N+1){~i_nx}}, 1'b1};
@@ -117,22 +139,35 @@ module sweep #(
             o_ny           <= 1'b0;
             o_shrinks_x    <= 1'b0;
             o_shrinks_y    <= 1'b0;
-        end else if (i_load | i_look) begin
-            o_last         <= last;
-            o_towards_is_y <= towards_is_y;
-            o_feeds_nx     <= feeds_nx;
-            o_feeds_ny     <= feeds_ny;
+        end else if (i_load) begin
+            o_last         <= load_last;
+            o_towards_is_y <= load_towards_is_y;
+            o_feeds_nx     <= load_feeds_nx;
+            o_feeds_ny     <= load_feeds_ny;
+            o_at_end_x     <= load_x_at_end;
+            o_at_end_y     <= load_y_at_end;
+            o_stands_x     <= load_x_stands;
+            o_stands_y     <= load_y_stands;
+            o_stepping_out <= load_x_stands & load_y_stands;
+            o_nx           <= load_feeds_nx ^ load_x_runs_back;
+            o_ny           <= load_feeds_ny ^ load_y_runs_back;
+            o_shrinks_x    <= ~load_towards_is_y ^ load_x_runs_back;
+            o_shrinks_y    <= load_towards_is_y ^ load_y_runs_back;
+        end else if (i_look) begin
+            o_last         <= crosses ? last_c : o_last;
+            o_towards_is_y <= crosses ^ o_towards_is_y;
+            o_feeds_nx     <= crosses ? feeds_nx_c : o_feeds_nx;
+            o_feeds_ny     <= crosses ? feeds_ny_c : o_feeds_ny;
             o_at_end_x     <= x_at_end;
             o_at_end_y     <= y_at_end;
-            o_stands_x     <= x_stands;
-            o_stands_y     <= y_stands;
-            o_stepping_out <= (x_stands & y_stands)
-                            | (~i_load & x_stands & i_x_is_zero)
-                            | (~i_load & y_stands & i_y_is_zero);
-            // In the last quadrant every pulse leads to the end point, stepped out or not.
-            o_nx           <= last ? x_back : feeds_nx;
-            o_ny           <= last ? y_back : feeds_ny;
-            o_shrinks_x    <= ~towards_is_y ^ (last & (x_back ^ feeds_nx));
-            o_shrinks_y    <= towards_is_y ^ (last & (y_back ^ feeds_ny));
+            o_stands_x     <= crosses ? x_stands_c : x_stands;
+            o_stands_y     <= crosses ? y_stands_c : y_stands;
+            o_stepping_out <= crosses ? stepping_out_c : stepping_out;
+            o_nx           <= crosses ? nx_c : nx;
+            o_ny           <= crosses ? ny_c : ny;
+            o_shrinks_x    <= crosses ? o_towards_is_y ^ nx_c ^ feeds_nx_c
+                                      : ~o_towards_is_y ^ nx ^ o_feeds_nx;
+            o_shrinks_y    <= crosses ? ~o_towards_is_y ^ ny_c ^ feeds_ny_c
+                                      : o_towards_is_y ^ ny ^ o_feeds_ny;
         end
 endmodule

@@ -67,7 +67,7 @@ const MUTANTS: &[(&str, Mutant)] = &[
     mutant("dda_line", "dda_line.v", "run = i_en & ~o_done", "run = i_en"),
     mutant("dda_arc", "dda_arc.v", "o_sumx[N] & ~o_stands_x", "o_sumx[N]"),
     mutant("dda_arc", "sweep.v", "o_jey <= o_jey + count_y;", "o_jey <= o_jey;"),
-    mutant("dda_arc", "sweep.v", "crosses & o_towards_is_y", "crosses & ~o_towards_is_y"),
+    mutant("dda_arc", "sweep.v", "o_feeds_nx ^ o_towards_is_y", "o_feeds_nx ^ ~o_towards_is_y"),
     mutant("dda_centred_arc", "dda_centred_arc.v", "is_y ? o_jry : o_jrx", "o_jrx"),
     mutant(
         "dda_centred_arc",

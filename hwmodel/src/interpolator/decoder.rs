@@ -13,8 +13,9 @@ use crate::word::{mask, wrap};
 ///  idle       takes a command
 ///  magnitude  |start|, |end|; end counters ← end − start
 ///  check      what can be refused at once is; quadrants, crossings
-///  square     R² = x² + y², a bit of each in two clocks; with it the vector product of start and
-///             end, which tells a full turn from none when both lie in one quadrant
+///  square     R² = x² + y², a bit of each in two clocks, from the lowest; with it the sign of the
+///             vector product of start and end, which tells a full turn from none when both lie in
+///             one quadrant
 ///  turn       four crossings if the end does not lie ahead
 ///  root       R, a bit a clock
 ///  round      R, rounded up
@@ -48,9 +49,13 @@ struct Registers<const AXES: usize> {
     count: u32,
     /// Bits of |x| and |y| that are still to be multiplied.
     bits: [u64; 2],
-    square: u64,
-    /// The vector product of start and end, of their magnitudes, signed.
+    /// The square: what is summed up, w + 1 bits, moves down into the lower half, w bits.
+    high: u64,
+    low: u64,
+    /// The vector product of the magnitudes of start and end, w + 2 bits, signed; what moves out below
+    /// it leaves a trace.
     turn: i64,
+    turn_rest: bool,
     /// R, then the largest coordinate.
     root: u64,
     /// What the root leaves of the square.
@@ -148,8 +153,10 @@ impl<const AXES: usize> Decoder<AXES> {
             start_negative: [false; 2],
             count: 0,
             bits: [0; 2],
-            square: 0,
+            high: 0,
+            low: 0,
             turn: 0,
+            turn_rest: false,
             root: 0,
             rest: 0,
         };
@@ -387,26 +394,33 @@ impl<const AXES: usize> Decoder<AXES> {
         contents.accumulations = 1 << self.bits;
         next.count = 0;
         next.bits = q.start;
-        next.square = 0;
+        next.high = 0;
+        next.low = 0;
         next.turn = 0;
+        next.turn_rest = false;
         next.root = 0;
         next.rest = 0;
     }
 
-    /// A bit of x, from the top, then the same bit of y.
+    /// A bit of x, from the lowest, then the same bit of y; then all moves down a place.
     fn square(&self, next: &mut Registers<AXES>) {
         let q = &self.registers;
-        let top = self.width() - 1;
-        let is_set = |bits: u64| bits >> top & 1 == 1;
+        let w = self.width();
         if q.count % 2 == 0 {
-            let (addend, product) = if is_set(q.bits[0]) { (q.start[0], q.end[1]) } else { (0, 0) };
-            next.square = (q.square << 1) + addend;
-            next.turn = (q.turn << 1) + product as i64;
+            let (factor, crossed) =
+                if q.bits[0] & 1 == 1 { (q.start[0], q.end[1]) } else { (0, 0) };
+            next.high = (q.high + factor) & mask(w + 1);
+            next.turn = wrap(q.turn + crossed as i64, w + 2);
         } else {
-            let (addend, product) = if is_set(q.bits[1]) { (q.start[1], q.end[0]) } else { (0, 0) };
-            next.square = q.square + addend;
-            next.turn = q.turn - product as i64;
-            next.bits = q.bits.map(|bits| bits << 1 & mask(self.width()));
+            let (factor, crossed) =
+                if q.bits[1] & 1 == 1 { (q.start[1], q.end[0]) } else { (0, 0) };
+            let high = (q.high + factor) & mask(w + 1);
+            let turn = wrap(q.turn - crossed as i64, w + 2);
+            next.high = high >> 1;
+            next.low = q.low >> 1 | (high & 1) << (w - 1);
+            next.turn = turn >> 1;
+            next.turn_rest = q.turn_rest || turn & 1 == 1;
+            next.bits = q.bits.map(|bits| bits >> 1);
         }
         next.count += 1;
     }
@@ -416,19 +430,20 @@ impl<const AXES: usize> Decoder<AXES> {
     const fn is_ahead(&self) -> bool {
         let q = &self.registers;
         let is_turned = (q.contents.quadrant & 1 == 1) != q.contents.cw;
-        q.turn != 0 && (q.turn < 0) == is_turned
+        (q.turn != 0 || q.turn_rest) && (q.turn < 0) == is_turned
     }
 
     /// The next two bits of the square, and whether they leave enough for a one.
     fn root(&self, next: &mut Registers<AXES>) {
         let q = &self.registers;
-        let top = 2 * self.width() - 2;
-        let rest = q.rest << 2 | q.square >> top & 3;
+        let w = self.width();
+        let rest = q.rest << 2 | q.high >> (w - 2) & 3;
         let needed = q.root << 2 | 1;
         let is_one = rest >= needed;
         next.rest = if is_one { rest - needed } else { rest } & mask(self.bits + 2);
         next.root = (q.root << 1 | u64::from(is_one)) & mask(self.bits + 2);
-        next.square = q.square << 2 & (u64::MAX >> (64 - 2 * self.width()));
+        next.high = (q.high << 2 | q.low >> (w - 2)) & mask(w + 1);
+        next.low = q.low << 2 & mask(w);
         next.count += 1;
     }
 
@@ -510,8 +525,10 @@ impl<const AXES: usize> Decoder<AXES> {
         for axis in 0..2 {
             probe.axis_signal("bits_", axis, Kind::Unsigned(w), q.bits[axis]);
         }
-        probe.signal("square", Kind::Unsigned(2 * w), q.square);
-        probe.signal("turn", Kind::Signed(2 * w), q.turn as u64);
+        probe.signal("high", Kind::Unsigned(w + 1), q.high);
+        probe.signal("low", Kind::Unsigned(w), q.low);
+        probe.signal("turn", Kind::Signed(w + 2), q.turn as u64);
+        probe.signal("turn_rest", Kind::Bit, u64::from(q.turn_rest));
         probe.signal("root", Kind::Unsigned(n + 2), q.root);
         probe.signal("rest", Kind::Unsigned(n + 2), q.rest);
     }

@@ -45,20 +45,15 @@ const MUTANTS: &[(Twin, Mutant)] = &[
         "o_negative <= ~i_negative;",
     ),
     mutant(engine(Engine::DdaLine4), "dda_line.v", "carry & {AXES{run}}", "carry & {AXES{i_en}}"),
+    mutant(engine(Engine::DdaArc), "sweep.v", "= i_quadrant[0] ^ i_cw", "= i_quadrant[1] ^ i_cw"),
     mutant(
         engine(Engine::DdaArc),
         "sweep.v",
-        "i_load ? i_quadrant[0] ^ i_cw",
-        "i_load ? i_quadrant[1] ^ i_cw",
-    ),
-    mutant(
-        engine(Engine::DdaArc),
-        "sweep.v",
-        "crosses & o_towards_is_y",
-        "crosses & ~o_towards_is_y",
+        "o_feeds_nx ^ o_towards_is_y",
+        "o_feeds_nx ^ ~o_towards_is_y",
     ),
     mutant(engine(Engine::DdaArc), "sweep.v", "~o_last & towards_is_zero", "towards_is_zero"),
-    mutant(engine(Engine::DdaCentredArc), "sweep.v", "| (~i_load & x_stands & i_x_is_zero)", ""),
+    mutant(engine(Engine::DdaCentredArc), "sweep.v", "| (x_stands & i_x_is_zero)", ""),
     mutant(
         engine(Engine::DdaCentredArc),
         "sweep.v",
@@ -66,7 +61,12 @@ const MUTANTS: &[(Twin, Mutant)] = &[
         "o_cw ? o_quadrant + 2'd1",
     ),
     mutant(engine(Engine::DdaCentredArc), "sweep.v", "o_crossings <= o_crossings - 3'd1;", ""),
-    mutant(engine(Engine::DdaCentredArc), "sweep.v", "x_at_end | (x_back ^ feeds_nx)", "x_at_end"),
+    mutant(
+        engine(Engine::DdaCentredArc),
+        "sweep.v",
+        "o_last & (x_at_end | (x_back ^ o_feeds_nx))",
+        "o_last & x_at_end",
+    ),
     mutant(
         engine(Engine::DdaCentredArc),
         "sweep.v",
@@ -113,7 +113,7 @@ const MUTANTS: &[(Twin, Mutant)] = &[
     mutant(MACHINE, "command_decoder.v", "|end_is_wide | ", "1'b0 | "),
     mutant(MACHINE, "command_decoder.v", "(start_zx & start_zy) |", "1'b0 |"),
     mutant(MACHINE, "command_decoder.v", "o_period < SHORTEST", "1'b0"),
-    mutant(MACHINE, "command_decoder.v", "o_turn != 0 & ", "1'b1 & "),
+    mutant(MACHINE, "command_decoder.v", "(o_turn != 0 | o_turn_rest) & ", "1'b1 & "),
     mutant(MACHINE, "command_decoder.v", "(o_quadrant[0] ^ o_cw)", "o_cw"),
     mutant(
         MACHINE,
