@@ -11,16 +11,21 @@ use std::collections::VecDeque;
 /// A pulse of one axis: the axis, and whether it is negative.
 type Step = (usize, bool);
 
-/// The single pulses in their order; both axes of a cycle in that of the axes.
-fn steps<const N: usize>(pulses: impl Iterator<Item = Pulse<N>>) -> Vec<Step> {
-    let each = |Pulse(pulse): Pulse<N>| {
-        pulse.into_iter().enumerate().filter(|(_, p)| *p != 0).map(|(axis, p)| (axis, p < 0))
-    };
-    pulses.flat_map(each).collect()
+/// The number of cycles, and the single pulses in their order; both axes of a cycle in that of the
+/// axes.
+fn steps<const N: usize>(pulses: impl Iterator<Item = Pulse<N>>) -> (u64, Vec<Step>) {
+    let mut steps = Vec::new();
+    let mut cycles = 0;
+    for Pulse(pulse) in pulses {
+        let moving = pulse.into_iter().enumerate().filter(|(_, p)| *p != 0);
+        steps.extend(moving.map(|(axis, p)| (axis, p < 0)));
+        cycles += 1;
+    }
+    (cycles, steps)
 }
 
-/// What the software makes of a command.
-fn software<const N: usize>(command: &Command<N>, bits: u32) -> Result<Vec<Step>, Error> {
+/// What the software makes of a command: its cycles, and the pulses in them.
+fn software<const N: usize>(command: &Command<N>, bits: u32) -> Result<(u64, Vec<Step>), Error> {
     let narrow = |c: i64| c as i32;
     let all = command.end.map(narrow);
     let (start, end) = (command.start.map(narrow), [all[0], all[1]]);
@@ -142,7 +147,7 @@ impl<const N: usize> Host<N> {
             if !pulse.is_none() {
                 self.at.push(self.clock);
             }
-            self.pulses.extend(steps([pulse].into_iter()));
+            self.pulses.extend(steps([pulse].into_iter()).1);
             for axis in 0..N {
                 let is_high = self.interpolator.steps()[axis];
                 if is_high && !self.was_high[axis] {
@@ -167,7 +172,7 @@ fn is_equal<const N: usize>(bits: u32, size: u32, count: usize, seed: u64) {
     let mut refused = Vec::new();
     for command in &commands {
         match software(command, bits) {
-            Ok(pulses) => due.extend(pulses),
+            Ok((_, pulses)) => due.extend(pulses),
             Err(why) => refused.push((*command, why)),
         }
     }
@@ -195,6 +200,47 @@ fn it_does_what_the_software_does() {
         is_equal::<4>(10, 6, 10, seed);
         is_equal::<2>(2, 2, 40, seed);
         is_equal::<2>(3, 3, 40, seed);
+    }
+}
+
+/// Every command that a width has coordinates for, and the clocks that it may take.
+fn is_equal_and_in_time(command: Command<2>, bits: u32) {
+    let timing = Timing { length: 2, space: 2, setup: 1, hold: 1 };
+    let host = Host::new(bits, timing, &[command]).run();
+    let Ok((cycles, due)) = software(&command, bits) else {
+        assert_eq!(host.refused.len(), 1, "{command:?}");
+        assert!(host.pulses.is_empty());
+        return;
+    };
+    assert!(host.refused.is_empty() && host.pulses == due, "{command:?}");
+    // Decoding, the cycles, and the last pulse's way to the end of its step.
+    let clocks = u64::from(4 * bits + 12) + cycles * u64::from(command.period) + 16;
+    assert!(host.clock <= clocks, "{command:?}: {} clocks, not {clocks}", host.clock);
+}
+
+#[test]
+fn every_command_of_two_bits_ends_where_and_when_it_should() {
+    let coordinates = || -3..=3;
+    for (x0, y0) in coordinates().flat_map(|x| coordinates().map(move |y| (x, y))) {
+        for (x, y) in coordinates().flat_map(|x| coordinates().map(move |y| (x, y))) {
+            for choice in 0..72 {
+                let (curve, cw, normalize) =
+                    (choice % 6, choice / 6 % 2 == 1, choice / 12 % 2 == 1);
+                let is_line = matches!(
+                    Curve::from_code(curve).unwrap(),
+                    Curve::DdaLine | Curve::PpcLine | Curve::BrmLine
+                );
+                // A line's start means nothing.
+                if is_line && (x0, y0) != (0, 0) {
+                    continue;
+                }
+                let (start, end, preset) = ([x0, y0], [x, y], choice / 24);
+                is_equal_and_in_time(
+                    Command { curve, start, end, cw, preset, normalize, period: 6 },
+                    2,
+                );
+            }
+        }
     }
 }
 

@@ -27,7 +27,7 @@ pub struct Options {
 }
 
 /// The modules with properties.
-const MODULES: [&str; 8] = [
+const MODULES: [&str; 10] = [
     "dda_line",
     "dda_arc",
     "dda_centred_arc",
@@ -36,14 +36,16 @@ const MODULES: [&str; 8] = [
     "brm_line",
     "step_dir",
     "command_fifo",
+    "pulse_source",
+    "interpolator",
 ];
 
 /// The register widths that are checked; the properties say nothing of the width.
 const WIDTHS: [u32; 3] = [8, 24, 32];
 
 /// Steps from reset, and steps of the induction. One step of induction is all that an invariant
-/// needs; the rest finds shorter counterexamples.
-const DEPTH: u32 = 6;
+/// needs; in the interpolator a pulse takes some clocks from the tick to its axis' slot.
+const DEPTH: u32 = 8;
 
 /// The module whose properties must show the mutant, and the mutant.
 const fn mutant(
@@ -101,6 +103,12 @@ const MUTANTS: &[(&str, Mutant)] = &[
         "o_data  = entries[o_read",
         "o_data  = entries[~o_read",
     ),
+    mutant("interpolator", "interpolator.v", "o_running & &stage_ready", "o_running"),
+    mutant("interpolator", "interpolator.v", "o_done = ~o_running &", "o_done ="),
+    mutant("interpolator", "command_decoder.v", "& o_error == NONE", ""),
+    mutant("pulse_source", "pulse_source.v", "o_due & i_ready", "o_due"),
+    mutant("pulse_source", "pulse_source.v", "[P-1:0] TWO = 2", "[P-1:0] TWO = 1"),
+    mutant("pulse_source", "pulse_source.v", "else if (o_count == 0)", "else if (o_count[0] == 0)"),
 ];
 
 /// Runs the checks that are asked for.
