@@ -158,20 +158,22 @@ const MUTANTS: &[(Twin, Mutant)] = &[
     ),
 ];
 
-/// Runs every mutant until it is found out: the decisions, and every assignment to a register, if
-/// `registers` are asked for.
+/// Runs every mutant until it is found out: the decisions, and every assignment to a register; or,
+/// if not `all` are asked for, the decisions of the engines.
 ///
 /// # Errors
 /// A mutant that stays hidden, cannot be built, or does not fit the source any more.
 pub(super) fn run(
     rtl: &Path,
     build: &Path,
-    registers: bool,
+    all: bool,
     check: impl Fn(&Path, &Path, Twin) -> Result<(), Fault> + Sync,
 ) -> Result<(), String> {
-    let registers = if registers { Mutant::of_every_register(rtl)? } else { Vec::new() };
+    let registers = if all { Mutant::of_every_register(rtl)? } else { Vec::new() };
     let registers = registers.into_iter().map(|mutant| (twin_of(&mutant.file), mutant));
-    let mutants: Vec<_> = MUTANTS.iter().cloned().chain(registers).enumerate().collect();
+    let is_asked = |(twin, _): &&(Twin, Mutant)| all || matches!(twin, Twin::Engine { .. });
+    let mutants: Vec<_> =
+        MUTANTS.iter().filter(is_asked).cloned().chain(registers).enumerate().collect();
     in_parallel(&mutants, |(number, (twin, mutant))| {
         let folder = build.join(format!("mutant_{number}"));
         mutant.copy(rtl, &folder)?;

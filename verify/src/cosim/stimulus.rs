@@ -137,7 +137,7 @@ fn arc(choice: &mut Rng, bits: u32) -> ([i32; 2], [i32; 2], Direction) {
     let small = choice.u32(2..bits.min(31));
     let start = [0; 2].map(|_| coordinate(choice, small));
     let [x, y] = start;
-    let end = match choice.u8(..10) {
+    let end = match choice.u8(..12) {
         0 => start,
         1 => [-x, -y],
         2 => [y, -x],
@@ -147,6 +147,9 @@ fn arc(choice: &mut Rng, bits: u32) -> ([i32; 2], [i32; 2], Direction) {
         6 => [x.saturating_add(choice.i32(-2..=2)), y.saturating_add(choice.i32(-2..=2))],
         7 => [y.saturating_add(choice.i32(-2..=2)), x],
         8 => [-x, y],
+        // Off the circle, on an axis: there one axis stands and feeds the other nothing.
+        9 => [0, y.saturating_add(choice.i32(-9..=9))],
+        10 => [x.saturating_add(choice.i32(-9..=9)), 0],
         _ => [0; 2].map(|_| coordinate(choice, small)),
     };
     (start, end, direction)
