@@ -52,7 +52,7 @@ pub(crate) struct TableArguments {
 pub(crate) struct WaveArguments {
     #[command(flatten)]
     pub(crate) curve: CurveArguments,
-    /// The wave file, .vcd or .fst; a .gtkw layout is written beside it
+    /// The wave file, .vcd or .fst; beside it layouts for GTKWave (.gtkw) and Surfer (.sucl)
     #[arg(short, long, value_name = "FILE", global = true)]
     pub(crate) output: Option<PathBuf>,
     /// Frequency of the pulse source, which times the interpolation cycles, in hertz
@@ -79,7 +79,7 @@ pub(crate) struct RunArguments {
     /// The machine: pulse equivalent, speeds, registers
     #[arg(long, value_name = "machine.toml")]
     pub(crate) config: Option<PathBuf>,
-    /// Where to write waves.vcd, waves.gtkw, pulses.csv, path.svg and report.json
+    /// Where to write waves.vcd, waves.gtkw, waves.sucl, pulses.csv, path.svg and report.json
     #[arg(long, value_name = "DIR", default_value = "out")]
     pub(crate) out: PathBuf,
     /// Write no waves (the hardware model still runs and is compared)

@@ -8,7 +8,7 @@ use crate::output::{OutputFile, write_whole};
 use onepulse_core::dda::Radix;
 use onepulse_core::{Error, Pulse};
 use onepulse_hwmodel::Circuit;
-use onepulse_hwmodel::trace::{Bench, Clock, Fst, SignalList, Tracer, Vcd, Wave, gtkw};
+use onepulse_hwmodel::trace::{Bench, Clock, Fst, SignalList, Tracer, Vcd, Wave, gtkw, sucl};
 use std::io;
 use std::path::Path;
 
@@ -84,10 +84,15 @@ impl Visitor for Recording<'_> {
                 )));
             }
         }
-        let layout = self.path.with_extension("gtkw");
-        let layout = write_whole(&layout, &gtkw(&file_name, &list, clock.viewer_period()))?;
+        let layouts = [
+            ("gtkw", gtkw(&file_name, &list, clock.viewer_period())),
+            ("sucl", sucl(&file_name, &list)),
+        ];
+        let layouts = layouts
+            .map(|(extension, text)| write_whole(&self.path.with_extension(extension), &text));
+        let layouts = layouts.into_iter().collect::<Result<Vec<_>, _>>()?;
         file.finish()?;
-        layout.finish()
+        layouts.into_iter().try_for_each(OutputFile::finish)
     }
 }
 

@@ -103,7 +103,11 @@ fn waves_show_the_circuit_and_every_pulse() {
             let folder = TempDir::new().unwrap();
             let file = format!("curve.{extension}");
             check_written(folder.path(), &format!("{arguments} -o {file}"));
-            assert_eq!(names(folder.path()), sorted(["curve.gtkw", &file]), "{arguments}");
+            assert_eq!(
+                names(folder.path()),
+                sorted(["curve.gtkw", "curve.sucl", &file]),
+                "{arguments}"
+            );
 
             let changes = read(&folder.path().join(&file));
             let scope = format!("onepulse.{circuit}.");
@@ -162,6 +166,92 @@ fn the_layout_names_the_wave_and_its_signals() {
     }
 }
 
+/// What the file for Surfer adds, in the order of its rows, each with the commands that change it.
+///
+/// The commands, their parameters and how a row is named are those of Surfer's `command_parser.rs`
+/// and `util.rs`; a new row is put below the one that has the focus.
+fn surfer_rows(text: &str) -> Vec<(String, Vec<String>)> {
+    let mut rows: Vec<(String, Vec<String>)> = Vec::new();
+    let mut focus = None;
+    for line in text.lines() {
+        assert!(!line.contains(['#', ';']), "a comment or two commands: {line}");
+        match *line.split(' ').collect::<Vec<_>>() {
+            [command @ ("divider_add" | "variable_add"), name] => {
+                let is_word = name.chars().all(|c| c.is_alphanumeric() || c == '_');
+                assert!(command == "variable_add" || is_word, "{line}");
+                let row = focus.map_or(rows.len(), |focus| focus + 1);
+                rows.insert(row, (name.to_owned(), vec![]));
+            }
+            ["item_focus", row] => {
+                let digit = |c: char| (c as usize).checked_sub('a' as usize).filter(|d| *d < 16);
+                let number = row.chars().try_fold(0, |n, c| Some(16 * n + digit(c)?)).unwrap();
+                assert!(number < rows.len(), "{line}");
+                focus = Some(number);
+            }
+            ["item_set_format", "Unsigned" | "Signed" | "String" | "ASCII"]
+            | ["item_set_analog", "step"] => rows[focus.unwrap()].1.push(line.to_owned()),
+            ["item_set_height", height] => {
+                assert!(height.parse::<f32>().unwrap() > 0.0);
+                rows[focus.unwrap()].1.push(line.to_owned());
+            }
+            ["item_unfocus"] => focus = None,
+            ["zoom_fit"] => {}
+            _ => panic!("not a command of Surfer: {line}"),
+        }
+    }
+    rows
+}
+
+#[test]
+fn the_commands_for_surfer_lay_out_the_same() {
+    for (arguments, circuit, ..) in CASES {
+        for file in ["curve.vcd", "curve.fst"] {
+            let folder = TempDir::new().unwrap();
+            check_written(folder.path(), &format!("{arguments} -o {file}"));
+            let changes = read(&folder.path().join(file));
+            let read = |name| fs::read_to_string(folder.path().join(name)).unwrap();
+            let rows = surfer_rows(&read("curve.sucl"));
+
+            // Headings and signals, in the order of the layout for GTKWave.
+            let layout = read("curve.gtkw");
+            let shown: Vec<_> = layout
+                .lines()
+                .filter_map(|line| match line.strip_prefix('-') {
+                    Some(heading) => Some(heading).filter(|heading| !heading.is_empty()),
+                    None => line.starts_with("onepulse.").then(|| line.split('[').next().unwrap()),
+                })
+                .collect();
+            let names: Vec<_> = rows.iter().map(|(name, _)| name.as_str()).collect();
+            assert_eq!(names, shown, "{arguments} {file}");
+            assert_eq!(names[..2], ["onepulse", "onepulse.clk"]);
+            assert!(names.contains(&circuit));
+
+            for (name, commands) in &rows {
+                let is_word = [".beat", ".rule", ".quadrant"].iter().any(|end| name.ends_with(end));
+                let is_number = changes.get(name).is_some_and(|c| c[0].1.len() > 1);
+                match commands.as_slice() {
+                    [] => assert!(!is_word && !is_number, "{arguments} {name}"),
+                    [format] => {
+                        let words = if file.ends_with("fst") { "ASCII" } else { "String" };
+                        assert_eq!(
+                            *format == format!("item_set_format {words}"),
+                            is_word,
+                            "{name}"
+                        );
+                        let is_signed = format == "item_set_format Signed";
+                        assert!(is_signed || !name.contains(".position_"), "{name}");
+                    }
+                    [_, height, analog] => {
+                        assert_eq!([height, analog], ["item_set_height 3", "item_set_analog step"]);
+                        assert!(name.contains(".jr"), "{arguments} {name}");
+                    }
+                    _ => panic!("{arguments} {name}: {commands:?}"),
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn lines_of_four_axes_show_them_all() {
     let folder = TempDir::new().unwrap();
@@ -206,7 +296,7 @@ fn an_older_wave_is_replaced() {
     check_written(folder.path(), "line --to 50,30 -o a.vcd");
     check_written(folder.path(), "line --to 5,3 -o a.vcd");
     assert_eq!(pulses(&read(&folder.path().join("a.vcd")), 'x'), 5);
-    assert_eq!(names(folder.path()), ["a.gtkw", "a.vcd"]);
+    assert_eq!(names(folder.path()), ["a.gtkw", "a.sucl", "a.vcd"]);
 }
 
 #[test]
@@ -225,7 +315,7 @@ fn a_folder_that_cannot_be_written_is_at_fault() {
 
 #[test]
 fn nothing_is_written_where_a_folder_is_in_the_way() {
-    for in_the_way in ["a.vcd", "a.gtkw"] {
+    for in_the_way in ["a.vcd", "a.gtkw", "a.sucl"] {
         let folder = TempDir::new().unwrap();
         fs::create_dir(folder.path().join(in_the_way)).unwrap();
         let output = wave(folder.path(), "line --to 5,3 -o a.vcd");
