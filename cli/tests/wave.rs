@@ -361,3 +361,192 @@ fn a_window_shows_the_same_clocks_as_the_whole() {
         }
     }
 }
+
+/// The pulses of a curve by the software: for each axis their directions, in their order.
+fn software(curve: &str) -> Vec<Vec<i64>> {
+    let mut command = cargo_bin_cmd!("onepulse");
+    let output = command.arg("pulses").args(curve.split_whitespace()).output().unwrap();
+    assert!(output.status.success(), "{curve}");
+    let text = String::from_utf8(output.stdout).unwrap();
+    let axes = (text.lines().next().unwrap().split(',').count() - 1) / 2;
+    let mut pulses = vec![vec![]; axes];
+    for line in text.lines().skip(1) {
+        let fields = line.split(',').skip(1).take(axes).map(|field| field.parse::<i64>().unwrap());
+        for (axis, pulse) in fields.enumerate().filter(|(_, pulse)| *pulse != 0) {
+            pulses[axis].push(pulse);
+        }
+    }
+    pulses
+}
+
+/// When the clock rises.
+fn rises(changes: &Changes) -> Vec<u64> {
+    let rises = changes["onepulse.clk"].iter().filter(|(_, value)| value == "1");
+    rises.map(|(at, _)| *at).collect()
+}
+
+/// The directions of an axis' steps, as a drive takes them at each rise.
+fn steps(changes: &Changes, axis: char) -> Vec<i64> {
+    let [step, dir] = ["step", "dir"].map(|name| format!("onepulse.{name}_{axis}"));
+    let rises = changes[&step].iter().filter(|(_, value)| value == "1");
+    rises.map(|(at, _)| if value_at(changes, &dir, *at) == "1" { -1 } else { 1 }).collect()
+}
+
+/// Curves, and their engines in the whole interpolator.
+const WHOLE: [(&str, &str); 10] = [
+    ("line --to 5,-3", "ppc_line"),
+    ("line --to 0,0", "ppc_line"),
+    ("line --to 100,37 --method dda --preset half --normalize", "dda_line"),
+    ("line --to 5,-3,7 --method dda --bits 5", "dda_line"),
+    ("line --to 5,-3,7,-1 --method brm", "brm_line"),
+    ("arc --from 5,0 --to 5,0 --cw --end-rule per-axis", "ppc_arc"),
+    ("arc --from 1,0 --to 0,1 --ccw --method dda", "dda_centred_arc"),
+    ("arc --from -24,7 --to -7,-24 --ccw --method dda --normalize", "dda_centred_arc"),
+    ("arc --from 5,0 --to 0,5 --ccw --method dda --update simultaneous", "dda_arc"),
+    ("arc --from 3,4 --to 3,4 --cw --method dda --update simultaneous --preset full", "dda_arc"),
+];
+
+#[test]
+fn the_whole_interpolator_makes_every_step() {
+    for (arguments, engine) in WHOLE {
+        let folder = TempDir::new().unwrap();
+        let has_rule = !engine.starts_with("ppc") || arguments.contains("--end-rule");
+        let rule = if has_rule { "" } else { "--end-rule per-axis" };
+        let pulses = software(&format!("{arguments} {rule}"));
+        for file in ["curve.vcd", "curve.fst"] {
+            check_written(folder.path(), &format!("{arguments} --interpolator -o {file}"));
+            let changes = read(&folder.path().join(file));
+            for (pulses, axis) in pulses.iter().zip(['x', 'y', 'z', 'a']) {
+                assert_eq!(steps(&changes, axis), *pulses, "{arguments} {axis}");
+                let [port, inside] = ["", "interpolator."]
+                    .map(|scope| &changes[&format!("onepulse.{scope}step_{axis}")]);
+                assert_eq!(port, inside, "{arguments} {axis}");
+            }
+            // It goes on for some clocks of 1/8 µs when all is done.
+            let (at, done) = changes["onepulse.interpolator.done"].last().unwrap();
+            assert!(done == "1" && at + 8 * 125 <= *rises(&changes).last().unwrap());
+        }
+        assert_eq!(names(folder.path()), ["curve.fst", "curve.gtkw", "curve.sucl", "curve.vcd"]);
+    }
+}
+
+#[test]
+fn the_layouts_show_the_engine_that_runs() {
+    for (arguments, engine) in WHOLE {
+        let folder = TempDir::new().unwrap();
+        check_written(folder.path(), &format!("{arguments} --interpolator -o curve.vcd"));
+        let changes = read(&folder.path().join("curve.vcd"));
+        let read = |name| fs::read_to_string(folder.path().join(name)).unwrap();
+        let rows: Vec<_> = surfer_rows(&read("curve.sucl")).into_iter().map(|row| row.0).collect();
+        let (signals, scopes): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row.contains('.'));
+        let parts = ["onepulse", "interpolator", "decoder", engine, "interpolator", "decoder"];
+        assert_eq!(scopes, parts, "{arguments}");
+        // All of these scopes, each signal once.
+        let is_shown = |name: &&String| {
+            !WHOLE.iter().any(|(_, other)| *other != engine && name.contains(&format!(".{other}.")))
+        };
+        let mut once = signals.clone();
+        once.sort_unstable();
+        assert_eq!(once, changes.keys().filter(is_shown).collect::<Vec<_>>(), "{arguments}");
+        let layout = read("curve.gtkw");
+        for name in signals {
+            assert!(changes.contains_key(name), "{arguments}: {name} is not in the wave");
+            assert!(layout.contains(&format!("\n{name}")), "{arguments}: {name} is not shown");
+        }
+        for standing in WHOLE.map(|(_, engine)| engine) {
+            let scope = format!("onepulse.{standing}.");
+            assert!(changes.keys().any(|name| name.starts_with(&scope)), "{scope}");
+            assert_eq!(layout.contains(&scope), standing == engine, "{arguments}: {scope}");
+        }
+    }
+}
+
+#[test]
+fn the_period_and_the_times_of_the_drives_are_kept() {
+    let folder = TempDir::new().unwrap();
+    let line = "line --to 7,-7 --method dda --bits 3 --interpolator";
+    let times = "--source-hz 1000 --period 50 --step-clocks 10,7,4,3";
+    check_written(folder.path(), &format!("{line} {times} -o a.vcd"));
+    let changes = read(&folder.path().join("a.vcd"));
+    // A cycle is 1 ms, a clock 20 µs on an axis of 10 µs.
+    assert!(rises(&changes).windows(2).all(|pair| pair[1] - pair[0] == 2));
+    for axis in ['x', 'y'] {
+        let edges = &changes[&format!("onepulse.step_{axis}")][1..];
+        let steps: Vec<_> = edges.chunks(2).map(|edges| [edges[0].0, edges[1].0]).collect();
+        assert_eq!(steps.len(), 7);
+        assert!(steps.iter().all(|[rise, fall]| fall - rise == 2 * 10), "length: {steps:?}");
+        // The first one waits for its direction.
+        let mut periods = steps[1..].windows(2).map(|pair| pair[1][0] - pair[0][0]);
+        assert!(periods.all(|period| period == 2 * 50), "period: {steps:?}");
+    }
+    let (turned, _) = changes["onepulse.dir_y"][1];
+    let (stepped, _) = changes["onepulse.step_y"][1];
+    assert_eq!(stepped - turned, 2 * 4, "setup");
+
+    // The command comes, is taken, and decoded.
+    let values =
+        |name: &str| -> Vec<_> { changes[name].iter().map(|(_, value)| value.as_str()).collect() };
+    assert_eq!(values("onepulse.valid"), ["0", "1", "0"]);
+    let states = ["IDLE", "MAGNITUDE", "CHECK", "SHIFT", "FINISH", "PUT", "IDLE"];
+    assert_eq!(values("onepulse.decoder.state"), states);
+
+    // Slow drives make the source wait: nothing is lost.
+    check_written(folder.path(), &format!("{line} --step-clocks 100,100,9,9 -o b.fst"));
+    let changes = read(&folder.path().join("b.fst"));
+    assert_eq!([steps(&changes, 'x'), steps(&changes, 'y')], [vec![1; 7], vec![-1; 7]]);
+}
+
+#[test]
+fn a_window_of_the_interpolator_shows_the_same_clocks_as_the_whole() {
+    let folder = TempDir::new().unwrap();
+    let curve = "arc --from 13,0 --to 13,0 --ccw --method dda --interpolator";
+    for extension in ["vcd", "fst"] {
+        check_written(folder.path(), &format!("{curve} -o whole.{extension}"));
+        let window = format!("--from-clock 90 --clocks 70 -o part.{extension}");
+        check_written(folder.path(), &format!("{curve} {window}"));
+        let [whole, part] =
+            ["whole", "part"].map(|name| read(&folder.path().join(format!("{name}.{extension}"))));
+        // The edge that ends the last clock is shown too.
+        let shown = rises(&part);
+        assert_eq!(shown, rises(&whole)[90..=160]);
+        for name in whole.keys() {
+            for rise in &shown {
+                assert_eq!(value_at(&part, name, *rise), value_at(&whole, name, *rise), "{name}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_the_interpolator_does_not_do_is_refused() {
+    for (arguments, words) in [
+        ("line --to 5,3 --end-rule total", "--end-rule"),
+        ("arc --from 5,0 --to 0,5 --ccw --end-rule larger", "--end-rule"),
+        ("line --to 5,3 --method dda --radix 10", "--radix"),
+        ("line --to 5,3 --preset half", "--preset"),
+        ("line --to 5,3 --method brm --preset half", "--preset"),
+        ("arc --from 5,0 --to 0,5 --ccw --method dda --preset full", "--preset"),
+        ("arc --from 5,0 --to 0,5 --ccw --method brm", "--method"),
+        ("line --to 5,3,1", "of an axis that the curve lacks"),
+        ("line --to 5,3 --period 5", "at least 6 clocks"),
+        ("line --to 5,3 --period 0", "--period"),
+        ("line --to 5,3 --period 16777216", "--period"),
+        ("line --to 5,3 --step-clocks 2,2,2", "--step-clocks"),
+        ("line --to 5,3 --step-clocks 2,2,2,0", "--step-clocks"),
+        ("line --to 5,3 --step-clocks 2,2,2,65536", "--step-clocks"),
+        ("line --to 5,3 --bits 2", "needs 3"),
+        ("line --to 1,1 --bits 1", "needs 2"),
+        ("line --to 5,3 --bits 33", "1 to 32"),
+        ("arc --from 5,0 --to 0,5 --ccw --method dda --bits 3", "do not hold the circle"),
+        ("arc --from 0,0 --to 0,5 --ccw", "centre"),
+        ("arc --from 5,0 --to 0,0 --ccw --method dda", "centre"),
+        ("line --to 5,3 --source-hz 0", "--source-hz"),
+        ("line --to 5,3 --source-hz 20000000000", "--source-hz"),
+    ] {
+        check_refused(&format!("{arguments} --interpolator -o a.vcd"), 2, words);
+    }
+    check_refused("line --to 5,3 --period 9 -o a.vcd", 2, "--interpolator");
+    check_refused("line --to 5,3 --step-clocks 2,2,2,2 -o a.vcd", 2, "--interpolator");
+    check_refused("line --to 5,3 --interpolator -o a.txt", 2, ".vcd or .fst");
+    check_refused("line --to 5,3 --interpolator -o missing/a.vcd", 1, "missing/a.vcd");
+}
