@@ -2,9 +2,11 @@
 
 use crate::choice::{EndRuleName, MethodName, PresetName, UpdateName};
 use crate::curve::{Curve, PlanePoint, Point};
+use crate::interpolator::DriveTimes;
 use crate::table::{Format, Language};
 use clap::{Args, Parser, Subcommand};
 use onepulse_core::Direction;
+use onepulse_hwmodel::interpolator::Interpolator;
 use std::path::PathBuf;
 
 /// NC interpolation: a G-code program, or one curve, into pulses, tables, waves and pictures.
@@ -48,11 +50,14 @@ pub(crate) struct TableArguments {
     pub(crate) lang: Language,
 }
 
+/// The heading of the options that belong to `--interpolator`.
+const INTERPOLATOR: &str = "Whole interpolator";
+
 #[derive(Debug, Args)]
 pub(crate) struct WaveArguments {
     #[command(flatten)]
     pub(crate) curve: CurveArguments,
-    /// The wave file, .vcd or .fst; a .gtkw layout is written beside it
+    /// The wave file, .vcd or .fst; beside it layouts for GTKWave (.gtkw) and Surfer (.sucl)
     #[arg(short, long, value_name = "FILE", global = true)]
     pub(crate) output: Option<PathBuf>,
     /// Frequency of the pulse source, which times the interpolation cycles, in hertz
@@ -70,6 +75,31 @@ pub(crate) struct WaveArguments {
     /// How many clocks are traced [default: all]
     #[arg(long, value_name = "N", global = true)]
     pub(crate) clocks: Option<u64>,
+    /// Run the curve as a command through the whole interpolator: decoder, queue, pulse source,
+    /// engine, and the step and direction outputs
+    #[arg(long, global = true, help_heading = INTERPOLATOR)]
+    pub(crate) interpolator: bool,
+    /// Clocks from one interpolation cycle to the next, at least 6: the system clock is that many
+    /// times --source-hz [default: 8]
+    #[arg(
+        long,
+        value_name = "CLOCKS",
+        global = true,
+        help_heading = INTERPOLATOR,
+        allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(1..1 << Interpolator::<2>::PERIOD_BITS)
+    )]
+    pub(crate) period: Option<u32>,
+    /// What the drives ask for: clocks that step is high, that it is low, and that the direction
+    /// stands before and after it [default: 2,2,2,2]
+    #[arg(
+        long,
+        value_name = "LENGTH,SPACE,SETUP,HOLD",
+        global = true,
+        help_heading = INTERPOLATOR,
+        allow_hyphen_values = true
+    )]
+    pub(crate) step_clocks: Option<DriveTimes>,
 }
 
 #[derive(Debug, Args)]
@@ -79,7 +109,7 @@ pub(crate) struct RunArguments {
     /// The machine: pulse equivalent, speeds, registers
     #[arg(long, value_name = "machine.toml")]
     pub(crate) config: Option<PathBuf>,
-    /// Where to write waves.vcd, waves.gtkw, pulses.csv, path.svg and report.json
+    /// Where to write waves.vcd, waves.gtkw, waves.sucl, pulses.csv, path.svg and report.json
     #[arg(long, value_name = "DIR", default_value = "out")]
     pub(crate) out: PathBuf,
     /// Write no waves (the hardware model still runs and is compared)

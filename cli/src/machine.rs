@@ -18,6 +18,16 @@ pub(crate) enum Refusal {
     Machine(Error),
 }
 
+/// The staggered circle with another preset.
+pub(crate) const HALF_LOAD_ONLY: Refusal = Refusal::Method(
+    "the staggered circuit takes half load only: with full load it starves, with zero it is off \
+     centre; leave --preset out, or take --update simultaneous",
+);
+
+/// An arc by the rate multiplier.
+pub(crate) const LINES_ONLY: Refusal =
+    Refusal::Method("the rate multiplier serves lines only: use --method ppc or dda");
+
 impl Refusal {
     /// As an error of a command line that gave the curve.
     pub(crate) fn usage(self) -> Failure {
@@ -147,11 +157,7 @@ fn arc<V: Visitor>(
         }
         Method::Dda { radix, preset, normalize, update: UpdateName::Staggered } => {
             if !matches!(preset, None | Some(Preset::Half)) {
-                return Err(Refusal::Method(
-                    "the staggered circuit takes half load only: with full load it \
-                     starves, with zero it is off centre; leave --preset out, or take \
-                     --update simultaneous",
-                ));
+                return Err(HALF_LOAD_ONLY);
             }
             let needed = dda::CentredArc::bits(from, to, direction)?;
             let bits = bits.unwrap_or(needed);
@@ -160,9 +166,7 @@ fn arc<V: Visitor>(
             let circuit = || hw::dda::CentredArc::new(from, to, direction, bits, normalize);
             Ok(visitor.visit(software?, circuit, start))
         }
-        Method::Brm => {
-            Err(Refusal::Method("the rate multiplier serves lines only: use --method ppc or dda"))
-        }
+        Method::Brm => Err(LINES_ONLY),
     }
 }
 

@@ -4,6 +4,7 @@ mod args;
 mod choice;
 mod curve;
 mod failure;
+mod interpolator;
 mod machine;
 mod output;
 mod pulses;

@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use std::process::Output;
 use tempfile::TempDir;
 
-const FILES: [&str; 5] = ["path.svg", "pulses.csv", "report.json", "waves.gtkw", "waves.vcd"];
+const FILES: [&str; 6] =
+    ["path.svg", "pulses.csv", "report.json", "waves.gtkw", "waves.sucl", "waves.vcd"];
 
 /// A program of the repository.
 fn program(name: &str) -> String {
@@ -241,6 +242,8 @@ fn check_bracket(arguments: &str, circuits: [&str; 2]) -> Value {
     check_wave(&out.join("waves.vcd"), &report, circuits);
     let layout = fs::read_to_string(out.join("waves.gtkw")).unwrap();
     assert!(layout.contains("[dumpfile] \"waves.vcd\""), "{layout}");
+    let commands = fs::read_to_string(out.join("waves.sucl")).unwrap();
+    assert!(commands.contains("variable_add onepulse.program_line\n"), "{commands}");
     let picture = fs::read_to_string(out.join("path.svg")).unwrap();
     assert!(picture.contains("<svg") && picture.trim_end().ends_with("</svg>"));
     report

@@ -4,7 +4,7 @@
 use onepulse_core::dda::Preset;
 use onepulse_core::{Direction, EndRule};
 use onepulse_hwmodel::trace::{
-    Bench, Clock, Fst, Kind, Probe, SignalList, Tracer, Vcd, Wave, gtkw,
+    Bench, Clock, Fst, Kind, Probe, SignalList, Tracer, Vcd, Wave, gtkw, sucl,
 };
 use onepulse_hwmodel::{Circuit, brm, dda, ppc};
 use std::collections::BTreeMap;
@@ -277,6 +277,13 @@ fn the_layout_names_every_signal_of_the_wave() {
     assert!(shown.contains(&"onepulse.ppc_line.f[3:0]"), "{layout}");
     assert!(shown.contains(&"onepulse.ppc_line.beat"), "{layout}");
     assert!(layout.starts_with("[dumpfile] \"wave.vcd\"\n"));
+
+    let commands = sucl("wave.vcd", &list);
+    let shown: Vec<_> = commands.lines().filter(|line| line.starts_with("variable_add ")).collect();
+    assert_eq!(shown.len(), list.signals().len());
+    let beat = "variable_add onepulse.ppc_line.beat\nitem_focus j\nitem_set_format String\n";
+    assert!(commands.contains(beat), "{commands}");
+    assert!(sucl("wave.fst", &list).contains(&beat.replace("String", "ASCII")));
 }
 
 #[test]

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::output::{OutputFile, OutputFolder, write_whole};
 use crate::pulses::write_row;
 use onepulse_core::{Direction, Error, Pulse};
-use onepulse_hwmodel::trace::{Bench, Kind, SignalList, Tracer, Vcd, gtkw};
+use onepulse_hwmodel::trace::{Bench, Kind, SignalList, Tracer, Vcd, gtkw, sucl};
 use onepulse_hwmodel::{self as hw, Circuit};
 use onepulse_plan::Motion;
 use std::fs::File;
@@ -150,8 +150,9 @@ impl Outputs {
             let Waves { tracer, file, list, traced_until, clocks_per_second, .. } = waves;
             let period = TICKS_PER_SECOND / clocks_per_second;
             tracer.finish(traced_until + 1).map_err(|error| file.failure(&error))?;
-            let layout = self.folder.path().join("waves.gtkw");
-            files.push(write_whole(&layout, &gtkw("waves.vcd", &list, period))?);
+            let place = |name| self.folder.path().join(name);
+            files.push(write_whole(&place("waves.gtkw"), &gtkw("waves.vcd", &list, period))?);
+            files.push(write_whole(&place("waves.sucl"), &sucl("waves.vcd", &list))?);
             files.push(file);
         }
         files.push(self.report.finish(summary, config)?);

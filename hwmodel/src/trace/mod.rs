@@ -11,6 +11,7 @@ mod fst;
 mod gtkw;
 mod section;
 mod signal;
+mod sucl;
 mod tracer;
 mod vcd;
 
@@ -19,6 +20,7 @@ pub use clock::Clock;
 pub use fst::Fst;
 pub use gtkw::gtkw;
 pub use signal::{Kind, Probe, Signal, SignalList};
+pub use sucl::sucl;
 pub use tracer::Tracer;
 pub use vcd::Vcd;
 

@@ -75,6 +75,25 @@ impl SignalList {
         self.signals.len() - 1
     }
 
+    /// Some of the signals, in another order, for a layout: those of each scope that is named, or
+    /// the one signal (`scope.name`), unless they came before.
+    #[must_use]
+    pub fn arranged(&self, parts: &[&str]) -> Self {
+        let mut signals: Vec<Signal> = Vec::new();
+        for part in parts {
+            for signal in &self.signals {
+                let is_part = match part.split_once('.') {
+                    Some(path) => path == (signal.scope, signal.name.as_str()),
+                    None => *part == signal.scope,
+                };
+                if is_part && !signals.contains(signal) {
+                    signals.push(signal.clone());
+                }
+            }
+        }
+        Self { signals, scope: self.scope }
+    }
+
     /// Adds the signals of a circuit, in a scope of its name; the number of the first one.
     pub fn add_circuit<C: Circuit<AXES>, const AXES: usize>(&mut self, circuit: &C) -> usize {
         let first = self.signals.len();
