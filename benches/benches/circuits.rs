@@ -27,16 +27,22 @@ fn main() -> ExitCode {
     if std::env::args().any(|argument| argument == "--test") {
         return ExitCode::SUCCESS;
     }
-    let all = compare(modules::dda_line().unwrap())
-        .and_then(|()| compare(modules::dda_arc().unwrap()))
-        .and_then(|()| compare(modules::dda_centred_arc().unwrap()));
-    match all {
+    match compare_all() {
         Ok(()) => ExitCode::SUCCESS,
         Err(why) => {
             eprintln!("{why}");
             ExitCode::FAILURE
         }
     }
+}
+
+fn compare_all() -> Result<(), String> {
+    compare(modules::dda_line().unwrap())?;
+    compare(modules::dda_arc().unwrap())?;
+    compare(modules::dda_centred_arc().unwrap())?;
+    compare(modules::ppc_line().unwrap())?;
+    compare(modules::ppc_arc().unwrap())?;
+    compare(modules::brm_line().unwrap())
 }
 
 fn compare<C: Circuit<AXES> + Clone, const AXES: usize>(

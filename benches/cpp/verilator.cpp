@@ -1,7 +1,8 @@
-// Clocks the wrapper under Verilator. Each line of standard input asks for a run: the number of
+// Clocks the module, or its wrapper, under Verilator as a test bench does. Each line of standard input asks for a run: the number of
 // clocks, and the wave file if the simulator was built to write one. It is answered with the sum
 // of the pulse wires over the clocks, which must be the Rust circuit's.
 #include "Vonepulse.h"
+#include "command.h"
 #include <cinttypes>
 #include <cstdio>
 #if VM_TRACE_FST
@@ -19,7 +20,7 @@ struct Trace {
 };
 #endif
 
-// clk, load and the wires of the wrapper that a wave is to show; not the twin's inside.
+// i_clk and the wires of the wrapper that a wave is to show; not the twin's inside.
 static const int DEPTH = 2;
 
 static uint64_t run(uint64_t clocks, const char* file) {
@@ -33,16 +34,19 @@ static uint64_t run(uint64_t clocks, const char* file) {
   trace.open(file);
   uint64_t sum = 0;
   // An edge is a change that is seen.
-  top.clk = 0;
-  top.load = 1;
+  COMMAND(top)
+  top.i_clk = 0;
+  top.i_rst = 0;
+  top.i_en = 1;
+  top.i_load = 1;
   top.eval();
   for (uint64_t k = 0; k < clocks; k++) {
-    top.clk = 1;
+    top.i_clk = 1;
     top.eval();
     trace.dump(2 * k);
-    sum += top.pulse;
-    top.clk = 0;
-    top.load = top.done;
+    sum += top.o_pulse;
+    top.i_clk = 0;
+    top.i_load = top.o_done;
     top.eval();
     trace.dump(2 * k + 1);
   }

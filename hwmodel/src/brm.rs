@@ -61,23 +61,21 @@ impl<const AXES: usize> Line<AXES> {
         Self { registers, ..Self::loaded([0; AXES], [false; AXES], bits) }
     }
 
+    #[inline(always)]
     fn wires(&self) -> Wires<AXES> {
         let Registers { divider, tg } = self.registers;
         // The flip-flop that is about to rise: the lowest one that is clear.
         let rising = (divider + 1) & !divider;
         let stages = if tg { rising & mask(self.bits) } else { 0 };
-        let train = self.value.map(|value| {
-            (0..self.bits).any(|t| {
-                let passes = stages >> t & 1 == 1;
-                let gated = value >> (self.bits - 1 - t) & 1 == 1;
-                passes && gated
-            })
-        });
+        // Behind the gates only that flip-flop's is left to be looked at: the bit of the value that
+        // is as far from the highest as the flip-flop is from the lowest.
+        let gate = 1 << (self.bits - 1) >> divider.trailing_ones();
+        let train = self.value.map(|value| tg & (value & gate != 0));
         Wires { stages, overflow: tg && rising >> self.bits == 1, train }
     }
 
     /// The pulses with the directions of the sign flip-flops.
-    #[inline]
+    #[inline(always)]
     fn signed(&self, wires: &Wires<AXES>) -> Pulse<AXES> {
         Pulse(core::array::from_fn(|axis| match (wires.train[axis], self.negative[axis]) {
             (false, _) => 0,
@@ -86,6 +84,7 @@ impl<const AXES: usize> Line<AXES> {
         }))
     }
 
+    #[inline(always)]
     fn next(&self, wires: &Wires<AXES>) -> Registers {
         let Registers { divider, tg } = self.registers;
         Registers {
@@ -99,10 +98,12 @@ impl<const AXES: usize> Circuit<AXES> for Line<AXES> {
     const CLOCKS_PER_CYCLE: u64 = 1;
     const NAME: &'static str = "brm_line";
 
+    #[inline]
     fn pulses(&self) -> Pulse<AXES> {
         self.signed(&self.wires())
     }
 
+    #[inline]
     fn done(&self) -> bool {
         !self.registers.tg
     }

@@ -1,7 +1,7 @@
 //! The control of an arc's sweep: quadrant, crossings and the two end counters.
 
 use crate::trace::{Kind, Probe};
-use crate::word::wrap;
+use crate::word::{signed, wrap};
 use onepulse_core::{self as software, Axis, Direction, Error, Feeds, Quadrant};
 
 /// The sweep control registers that every arc circuit contains.
@@ -93,22 +93,25 @@ impl Sweep {
     }
 
     /// The sense flip-flop.
+    #[inline(always)]
     pub(crate) const fn direction(&self) -> Direction {
         self.direction
     }
 
     /// Which axis is fed towards zero.
+    #[inline(always)]
     pub(crate) const fn towards(&self) -> Axis {
         if self.towards_is_y { Axis::Y } else { Axis::X }
     }
 
     /// Each axis' stop wire: in the last quadrant, its end counter is zero or has run through.
-    #[inline]
+    #[inline(always)]
     pub(crate) const fn stands(&self) -> [bool; 2] {
         self.looked.stands
     }
 
     /// Whether each end counter is zero.
+    #[inline(always)]
     pub(crate) const fn at_end(&self) -> [bool; 2] {
         self.looked.at_end
     }
@@ -116,73 +119,75 @@ impl Sweep {
     /// Integration has nothing more to do: both axes stand, or one stands on a coordinate axis,
     /// where it would feed the other nothing for ever. Each axis that is not at its end is sent a
     /// pulse.
-    #[inline]
+    #[inline(always)]
     pub(crate) const fn is_stepping_out(&self) -> bool {
         self.looked.stepping_out
     }
 
-    /// By how much this cycle's pulse of an axis changes the magnitude of its coordinate.
-    #[inline]
-    pub(crate) const fn growth(&self, axis: usize) -> i64 {
-        if self.looked.shrinks[axis] { -1 } else { 1 }
+    /// Whether this cycle's pulse of an axis makes the magnitude of its coordinate smaller.
+    #[inline(always)]
+    pub(crate) const fn shrinks(&self, axis: usize) -> bool {
+        self.looked.shrinks[axis]
     }
 
-    /// The sign of this cycle's pulse of an axis, as the quadrant has it or as it is stepped out.
-    #[inline]
-    pub(crate) const fn sign(&self, axis: usize) -> i8 {
-        if self.looked.negative[axis] { -1 } else { 1 }
+    /// Whether this cycle's pulse of an axis is negative, as the quadrant has it or as it is
+    /// stepped out.
+    #[inline(always)]
+    pub(crate) const fn is_negative(&self, axis: usize) -> bool {
+        self.looked.negative[axis]
     }
 
     /// The done wire.
-    #[inline]
+    #[inline(always)]
     pub(crate) const fn done(&self) -> bool {
         self.crossings == 0 && self.je[0] == 0 && self.je[1] == 0
     }
 
-    /// The next contents after a look, when the coordinates' zero detectors show `is_zero`.
-    #[inline]
-    pub(crate) fn look(&self, is_zero: [bool; 2]) -> Self {
-        let mut next = *self;
-        let [towards, away] = if self.towards_is_y { [1, 0] } else { [0, 1] };
+    /// The edge of a look, when the coordinates' zero detectors show `is_zero`.
+    #[inline(always)]
+    pub(crate) fn look(&mut self, is_zero: [bool; 2]) {
+        let [x, y] = is_zero;
+        let (towards, away) = if self.towards_is_y { (y, x) } else { (x, y) };
         // The circle of radius 1 steps through its centre: the quadrant being left is kept there.
-        if self.crossings > 0 && is_zero[towards] && !is_zero[away] {
-            next.quadrant = self.quadrant.next(self.direction);
-            next.crossings -= 1;
-            // What was fed away from zero is fed towards it now.
-            next.towards_is_y ^= true;
-            next.feeds_negative[away] ^= true;
+        if self.crossings > 0 && towards && !away {
+            self.cross();
         }
-        next.looked = next.see(is_zero);
-        next
+        self.looked = self.see(is_zero);
     }
 
-    #[inline]
-    fn see(&self, is_zero: [bool; 2]) -> Looked {
+    /// The next quadrant. What was fed away from zero is fed towards it now.
+    #[cold]
+    fn cross(&mut self) {
+        self.quadrant = self.quadrant.next(self.direction);
+        self.crossings -= 1;
+        self.feeds_negative[usize::from(!self.towards_is_y)] ^= true;
+        self.towards_is_y ^= true;
+    }
+
+    /// What a look sees. As gates: a choice would cost a simulation more than both its ways.
+    #[inline(always)]
+    const fn see(&self, is_zero: [bool; 2]) -> Looked {
         let is_last = self.crossings == 0;
         let at_end = [self.je[0] == 0, self.je[1] == 0];
         let back = [self.je[0] < 0, self.je[1] < 0];
         let feeds = self.feeds_negative;
-        let runs_back = [is_last && back[0] != feeds[0], is_last && back[1] != feeds[1]];
-        let stands = [is_last && at_end[0] || runs_back[0], is_last && at_end[1] || runs_back[1]];
+        let runs_back = [is_last & (back[0] != feeds[0]), is_last & (back[1] != feeds[1])];
+        let stands = [is_last & at_end[0] | runs_back[0], is_last & at_end[1] | runs_back[1]];
         Looked {
             at_end,
             stands,
-            stepping_out: match stands {
-                [true, true] => true,
-                [true, false] => is_zero[0],
-                [false, true] => is_zero[1],
-                [false, false] => false,
-            },
+            stepping_out: stands[0] & stands[1] | stands[0] & is_zero[0] | stands[1] & is_zero[1],
             // In the last quadrant every pulse leads to the end point, stepped out or not.
             negative: [feeds[0] != runs_back[0], feeds[1] != runs_back[1]],
             shrinks: [self.towards_is_y == runs_back[0], self.towards_is_y != runs_back[1]],
         }
     }
 
-    /// The next contents of an axis' end counter after a pulse of this sign.
-    #[inline]
-    pub(crate) fn count(&mut self, axis: usize, sign: i8) {
-        self.je[axis] = wrap(self.je[axis] - i64::from(sign), self.bits + 2);
+    /// The edge of an axis' end counter, if there is a pulse of this direction.
+    #[inline(always)]
+    pub(crate) fn count(&mut self, axis: usize, pulse: bool, is_negative: bool) {
+        let pulse = signed(i64::from(pulse), is_negative);
+        self.je[axis] = wrap(self.je[axis] - pulse, self.bits + 2);
     }
 
     pub(crate) fn probe(&self, probe: &mut impl Probe) {

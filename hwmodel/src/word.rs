@@ -1,14 +1,22 @@
 //! Fixed-width words: what a register of `bits` bits keeps of a number.
 
 /// The low `bits` bits of a register's content (1 to 63).
+#[inline(always)]
 pub(crate) const fn mask(bits: u32) -> u64 {
     (1 << bits) - 1
 }
 
 /// What a register of `bits` bits makes of a signed number: two's complement, wrapped.
+#[inline(always)]
 pub(crate) const fn wrap(value: i64, bits: u32) -> i64 {
     let unused = 64 - bits;
     (value << unused) >> unused
+}
+
+/// A magnitude with a sign.
+#[inline(always)]
+pub(crate) const fn signed(magnitude: i64, is_negative: bool) -> i64 {
+    if is_negative { -magnitude } else { magnitude }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::{Simulator, Twin};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What a twin runs under.
@@ -39,45 +39,86 @@ impl Engine {
     /// Builds the twin's simulator in a folder below `build` and starts it. What is there already
     /// and up to date is not built again.
     ///
+    /// Without a wave it is the module as it is, with all its ports, as anybody would simulate it;
+    /// with one there is a wrapper, for the same signals to be traced on both sides. Either way the
+    /// command comes from the C++ program: tied to constants, it would let the simulator fold
+    /// half of the module.
+    ///
     /// # Errors
     /// A program that is missing, with the package to install; one that fails, with its words.
     pub fn simulator(self, twin: &Twin, build: &Path) -> Result<Simulator, String> {
         let folder = build.join(format!("{}-{self:?}", twin.module));
         fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
-        let wrapper = folder.join("onepulse.v");
-        let has_wave = matches!(self, Self::VerilatorVcd | Self::VerilatorFst);
-        fs::write(&wrapper, twin.wrapper(has_wave))
-            .map_err(|e| format!("{}: {e}", wrapper.display()))?;
+        write(&folder.join("command.h"), &twin.command_header(self))?;
         match self {
-            Self::Cxxrtl => cxxrtl(&folder)?,
-            Self::Verilator => verilator(&folder, None)?,
-            Self::VerilatorVcd => verilator(&folder, Some("--trace"))?,
-            Self::VerilatorFst => verilator(&folder, Some("--trace-fst"))?,
+            Self::Cxxrtl => cxxrtl(twin, &folder)?,
+            Self::Verilator => verilator(twin, &folder, None)?,
+            Self::VerilatorVcd => verilator(twin, &folder, Some("--trace"))?,
+            Self::VerilatorFst => verilator(twin, &folder, Some("--trace-fst"))?,
         }
         Simulator::start(&folder.join("Vonepulse"))
     }
 }
 
-fn verilator(folder: &Path, trace: Option<&str>) -> Result<(), String> {
+impl Twin {
+    /// The macro `COMMAND`, which puts the command at the inputs of a simulated module.
+    fn command_header(&self, engine: Engine) -> String {
+        let mut text = "#define COMMAND(top)".to_owned();
+        for (port, value) in &self.command {
+            text += &match engine {
+                Engine::Cxxrtl => {
+                    format!(" top.p_{}.set<uint64_t>({value}u);", port.replace('_', "__"))
+                }
+                _ => format!(" top.{port} = {value}u;"),
+            };
+        }
+        text + "\n"
+    }
+}
+
+/// Writes a file, unless it has that text already: then it would only be compiled again.
+fn write(file: &Path, text: &str) -> Result<(), String> {
+    if fs::read_to_string(file).is_ok_and(|before| before == text) {
+        return Ok(());
+    }
+    fs::write(file, text).map_err(|e| format!("{}: {e}", file.display()))
+}
+
+fn verilator(twin: &Twin, folder: &Path, trace: Option<&str>) -> Result<(), String> {
     let mut command = Command::new("verilator");
-    command.args(["--cc", "--exe", "--build", "--top-module", "onepulse"]);
-    // Lint is a check of its own; the wrapper leaves outputs open and constants unsized.
+    command.args(["--cc", "--exe", "--build", "--prefix", "Vonepulse", "-y", RTL]);
+    // Lint is a check of its own; the wrapper leaves outputs open and inputs too wide.
     command.args(["-Wno-lint", "-Wno-fatal", "-O3", "--noassert"]);
     command.args(["--x-assign", "fast", "--x-initial", "fast", "--trace-depth", "1"]).args(trace);
     command.args(["-CFLAGS", TUNED, "-LDFLAGS", TUNED, "-MAKEFLAGS"]);
     command.arg(format!("OPT_FAST='{TUNED}' OPT_SLOW='{TUNED}' OPT_GLOBAL='{TUNED}'"));
-    command.arg("-y").arg(RTL).arg("--Mdir").arg(folder);
-    command.arg(folder.join("onepulse.v")).arg(Path::new(CPP).join("verilator.cpp"));
+    command.arg("--Mdir").arg(folder);
+    if trace.is_some() {
+        let wrapper = folder.join("onepulse.v");
+        write(&wrapper, &twin.wrapper())?;
+        command.args(["--top-module", "onepulse"]).arg(wrapper);
+    } else {
+        command.args(["--top-module", twin.module]).arg(source(twin));
+        command.args(twin.parameters.iter().map(|(name, value)| format!("-G{name}={value}")));
+    }
+    command.arg(Path::new(CPP).join("verilator.cpp"));
     succeed(command, "verilator")
 }
 
-fn cxxrtl(folder: &Path) -> Result<(), String> {
-    let (wrapper, model) = (folder.join("onepulse.v"), folder.join("onepulse.cc"));
+fn source(twin: &Twin) -> PathBuf {
+    Path::new(RTL).join(format!("{}.v", twin.module))
+}
+
+fn cxxrtl(twin: &Twin, folder: &Path) -> Result<(), String> {
     let mut yosys = Command::new("yosys");
+    let parameters: String =
+        (twin.parameters.iter()).map(|(name, value)| format!(" -chparam {name} {value}")).collect();
     yosys.arg("-q").arg("-p").arg(format!(
-        "read_verilog {}; hierarchy -libdir {RTL} -top onepulse; write_cxxrtl -O6 -g0 {}",
-        wrapper.display(),
-        model.display()
+        "read_verilog {}; hierarchy -libdir {RTL} -top {}{parameters}; rename -top onepulse; \
+         write_cxxrtl -O6 -g0 {}",
+        source(twin).display(),
+        twin.module,
+        folder.join("onepulse.cc").display()
     ));
     succeed(yosys, "yosys")?;
     let mut include = Command::new("yosys-config");

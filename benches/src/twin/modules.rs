@@ -1,15 +1,18 @@
 //! The ports of each module, and the command that it is benchmarked with.
 
-use super::{Registers, Twin};
+use super::Twin;
 use crate::{LINE, RADIUS};
-use onepulse_core::dda::{self as software, Preset, Radix, Register};
-use onepulse_core::{Direction, Error};
-use onepulse_hwmodel::dda;
+use onepulse_core::dda::Preset;
+use onepulse_core::{Direction, EndRule, Error};
+use onepulse_hwmodel::{brm, dda, ppc};
 
 /// The width of the registers.
-const BITS: u32 = 24;
+pub(super) const BITS: u32 = 24;
 
 const CIRCLE: ([i32; 2], [i32; 2], Direction) = ([RADIUS, 0], [RADIUS, 0], Direction::Ccw);
+
+/// The ports of the sweep control that arcs contain.
+const SWEEP: [&str; 5] = ["quadrant", "crossings", "cw", "jex", "jey"];
 
 /// A long line.
 ///
@@ -17,22 +20,17 @@ const CIRCLE: ([i32; 2], [i32; 2], Direction) = ([RADIUS, 0], [RADIUS, 0], Direc
 /// None: the line fits.
 pub fn dda_line() -> Result<(dda::Line<2>, Twin), Error> {
     let circuit = dda::Line::new(LINE, BITS, Preset::Half, true)?;
-    let registers = Registers::of(&circuit);
-    let loaded = |name| registers.loaded(name);
-    let twin = Twin {
-        module: "dda_line",
-        parameters: vec![("N", BITS.into()), ("AXES", 2)],
-        axes: 2,
-        command: vec![
-            ("i_jv", loaded("jvy") << BITS | loaded("jvx")),
-            ("i_preset", loaded("jrx")),
-            ("i_je", loaded("je")),
-            ("i_negative", 0),
-        ],
-        shown: vec![("o_jv", &["jvy", "jvx"]), ("o_jr", &["jry", "jrx"]), ("o_je", &["je"])],
-        registers,
-    };
-    Ok((circuit, twin))
+    let twin = Twin::of(&circuit)
+        .with_axes()
+        .without("carry_")
+        .with_bus("o_jv", "jv")
+        .with_bus("o_jr", "jr")
+        .with_bus("o_negative", "negative_")
+        .with_input_bus("i_jv", "jv")
+        .with_input_bus("i_negative", "negative_")
+        .with_inputs(&["je"]);
+    let preset = twin.registers.loaded("jrx");
+    Ok((circuit, twin.with_input("i_preset", preset)))
 }
 
 /// A full circle by the textbook's circuit.
@@ -41,24 +39,10 @@ pub fn dda_line() -> Result<(dda::Line<2>, Twin), Error> {
 /// None: the circle fits.
 pub fn dda_arc() -> Result<(dda::Arc, Twin), Error> {
     let (start, end, direction) = CIRCLE;
-    let preset = Preset::Half;
-    let circuit = dda::Arc::new(start, end, direction, BITS, preset, true)?;
-    let register = Register::new(Radix::Binary, BITS)?;
-    let shift = software::Arc::new(start, end, direction, register, preset, true)?.shift();
-    let registers = Registers::of(&circuit);
-    let loaded = |name| registers.loaded(name);
-    let mut command = vec![
-        ("i_jvx", loaded("jvx")),
-        ("i_jvy", loaded("jvy")),
-        ("i_preset", loaded("jrx")),
-        ("i_unit", 1 << shift),
-    ];
-    command.extend(sweep_command(&registers, direction));
-    let mut shown: Vec<(_, &[_])> =
-        vec![("o_jvx", &["jvx"]), ("o_jvy", &["jvy"]), ("o_jrx", &["jrx"]), ("o_jry", &["jry"])];
-    shown.extend(SWEEP);
-    let parameters = vec![("N", BITS.into())];
-    Ok((circuit, Twin { module: "dda_arc", parameters, axes: 2, command, shown, registers }))
+    let circuit = dda::Arc::new(start, end, direction, BITS, Preset::Half, true)?;
+    let twin = Twin::of(&circuit).with_inputs(&["jvx", "jvy", "unit"]).with_inputs(&SWEEP);
+    let preset = twin.registers.loaded("jrx");
+    Ok((circuit, twin.with_input("i_preset", preset)))
 }
 
 /// A full circle by the centred circuit.
@@ -68,43 +52,48 @@ pub fn dda_arc() -> Result<(dda::Arc, Twin), Error> {
 pub fn dda_centred_arc() -> Result<(dda::CentredArc, Twin), Error> {
     let (start, end, direction) = CIRCLE;
     let circuit = dda::CentredArc::new(start, end, direction, BITS, true)?;
-    let register = Register::new(Radix::Binary, BITS)?;
-    let shift = software::CentredArc::new(start, end, direction, register, true)?.shift();
-    let registers = Registers::of(&circuit);
-    let loaded = |name| registers.loaded(name);
-    let mut command = vec![
-        ("i_x", loaded("x")),
-        ("i_y", loaded("y")),
-        ("i_jrx", loaded("jrx")),
-        ("i_jry", loaded("jry")),
-        ("i_unit", 1 << shift),
-    ];
-    command.extend(sweep_command(&registers, direction));
-    let mut shown: Vec<(_, &[_])> =
-        vec![("o_x", &["x"]), ("o_y", &["y"]), ("o_jrx", &["jrx"]), ("o_jry", &["jry"])];
-    shown.extend(SWEEP);
-    let parameters = vec![("N", BITS.into())];
-    Ok((
-        circuit,
-        Twin { module: "dda_centred_arc", parameters, axes: 2, command, shown, registers },
-    ))
+    let twin = Twin::of(&circuit).with_inputs(&["x", "y", "jrx", "jry", "unit"]);
+    Ok((circuit, twin.with_inputs(&SWEEP)))
 }
 
-/// The registers of the sweep control that arcs contain.
-const SWEEP: [(&str, &[&str]); 4] = [
-    ("o_quadrant", &["quadrant"]),
-    ("o_crossings", &["crossings"]),
-    ("o_jex", &["jex"]),
-    ("o_jey", &["jey"]),
-];
+/// A long line by point-by-point comparison, with one counter for both axes.
+///
+/// # Errors
+/// None: the line fits.
+pub fn ppc_line() -> Result<(ppc::Line, Twin), Error> {
+    let circuit = ppc::Line::new(LINE, BITS, EndRule::Total)?;
+    let twin = Twin::of(&circuit)
+        .with_bus("o_negative", "negative_")
+        .with_input_bus("i_negative", "negative_")
+        .with_inputs(&["end_x", "end_y", "rule", "larger_is_y", "e"]);
+    Ok((circuit, twin))
+}
 
-/// The sweep's part of an arc's command.
-fn sweep_command(registers: &Registers, direction: Direction) -> [(&'static str, u64); 5] {
-    [
-        ("i_quadrant", registers.loaded("quadrant")),
-        ("i_crossings", registers.loaded("crossings")),
-        ("i_cw", u64::from(direction == Direction::Cw)),
-        ("i_jex", registers.loaded("jex")),
-        ("i_jey", registers.loaded("jey")),
-    ]
+/// A full circle by point-by-point comparison, with a counter for each axis.
+///
+/// # Errors
+/// None: the circle fits.
+pub fn ppc_arc() -> Result<(ppc::Arc, Twin), Error> {
+    let (start, end, direction) = CIRCLE;
+    let circuit = ppc::Arc::new(start, end, direction, BITS, EndRule::PerAxis)?;
+    let twin = Twin::of(&circuit)
+        .with_inputs(&["cx", "cy", "rule", "larger_is_y", "e"])
+        .with_inputs(&SWEEP);
+    Ok((circuit, twin))
+}
+
+/// A long line by rate multiplication.
+///
+/// # Errors
+/// None: the line fits.
+pub fn brm_line() -> Result<(brm::Line<2>, Twin), Error> {
+    let circuit = brm::Line::new(LINE, BITS)?;
+    let twin = Twin::of(&circuit)
+        .with_axes()
+        .without("train_")
+        .with_bus("o_value", "value_")
+        .with_bus("o_negative", "negative_")
+        .with_input_bus("i_value", "value_")
+        .with_input_bus("i_negative", "negative_");
+    Ok((circuit, twin))
 }

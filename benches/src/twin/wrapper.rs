@@ -1,72 +1,82 @@
-//! The top module of a simulation.
+//! The top module of a simulation with a wave.
 
-use super::Twin;
+use super::{AXES, Twin};
 use std::fmt::Write;
 
-/// The letters of the axes.
-const AXES: [&str; 4] = ["x", "y", "z", "a"];
-
 impl Twin {
-    /// The module `onepulse`: the twin with its command for ever at its inputs, clocked and loaded
-    /// from outside.
+    /// A module `onepulse` with those ports of the twin that are driven and looked at from outside.
     ///
-    /// With a wave it declares what [`Bench`](onepulse_hwmodel::trace::Bench) and the circuit
-    /// trace, by the same names and at the same widths, and nothing else: direction flip-flops and
-    /// position counters included, so that both sides write the same changes.
-    pub(super) fn wrapper(&self, has_wave: bool) -> String {
+    /// Below it are what [`Bench`](onepulse_hwmodel::trace::Bench) and the circuit trace, at the
+    /// same widths, and nothing else: direction flip-flops and position counters included, so that
+    /// both sides write the same changes.
+    pub(super) fn wrapper(&self) -> String {
         let bus = self.axes - 1;
-        let mut text = format!(
-            "module onepulse (
-    input  wire clk,
+        let mut text = "module onepulse (
+    input  wire i_clk,
     // verilator tracing_off
-    input  wire load,
-    output wire [{bus}:0] pulse,
-    output wire done
+"
+        .to_owned();
+        let mut ports = String::new();
+        let inputs = ["i_rst", "i_en", "i_load"].map(str::to_owned).into_iter();
+        for port in inputs.chain(self.command.iter().map(|(port, _)| port.clone())) {
+            let _ = writeln!(text, "    input  wire [63:0] {port},");
+            let _ = write!(ports, ", .{port}({port})");
+        }
+        let _ = write!(
+            text,
+            "    output wire [{bus}:0] o_pulse,
+    output wire o_done
 );
     wire [{bus}:0] negative;
+    // verilator tracing_on
 "
         );
-        let mut ports = String::new();
-        for (port, value) in &self.command {
-            let _ = write!(ports, ", .{port}(64'd{value})");
+        for (axis, letter) in AXES[..self.axes].iter().enumerate() {
+            text += &outputs(axis, letter);
         }
-        if has_wave {
-            text += "    // verilator tracing_on\n";
-            for (axis, letter) in AXES[..self.axes].iter().enumerate() {
-                text += &outputs(axis, letter);
+        for (port, names) in &self.shown {
+            for name in names {
+                let high = self.registers.bits(name).saturating_sub(1);
+                let _ = writeln!(text, "    wire [{high}:0] {};", in_wrapper(name));
             }
-            for (port, names) in &self.shown {
-                for name in *names {
-                    let high = self.registers.bits(name).saturating_sub(1);
-                    let _ = writeln!(text, "    wire [{high}:0] {name};");
-                }
+            let names: Vec<_> = names.iter().map(|name| in_wrapper(name)).collect();
+            // The directions are a register of some modules, and shown as that.
+            if port == "o_negative" {
+                let _ = writeln!(text, "    assign {{{}}} = negative;", names.join(", "));
+            } else {
                 let _ = write!(ports, ", .{port}({{{}}})", names.join(", "));
             }
         }
+        let (module, parameters) = (self.module, &self.parameters);
         let parameters: Vec<_> =
-            self.parameters.iter().map(|(name, value)| format!(".{name}({value})")).collect();
-        let (module, parameters) = (self.module, parameters.join(", "));
+            parameters.iter().map(|(name, value)| format!(".{name}({value})")).collect();
         let _ = write!(
             text,
-            "    {module} #({parameters}) twin (.i_clk(clk), .i_rst(1'b0), .i_en(1'b1), \
-             .i_load(load), .o_pulse(pulse), .o_negative(negative), .o_done(done){ports});
+            "    {module} #({}) twin (.i_clk(i_clk), .o_pulse(o_pulse), .o_negative(negative), \
+             .o_done(o_done){ports});
 endmodule
-"
+",
+            parameters.join(", ")
         );
         text
     }
 }
 
+/// The name of a circuit's signal beside those of the bench.
+fn in_wrapper(name: &str) -> String {
+    if name.starts_with("negative_") { format!("register_{name}") } else { name.to_owned() }
+}
+
 /// Pulse, direction and position of an axis. The direction stays between pulses.
 fn outputs(axis: usize, letter: &str) -> String {
     format!(
-        "    wire pulse_{letter} = pulse[{axis}];
+        "    wire pulse_{letter} = o_pulse[{axis}];
     // verilator tracing_off
     reg  was_{letter};
     // verilator tracing_on
     wire negative_{letter} = pulse_{letter} ? negative[{axis}] : was_{letter};
     reg  signed [33:0] position_{letter};
-    always @(posedge clk) begin
+    always @(posedge i_clk) begin
         was_{letter} <= negative_{letter};
         if (pulse_{letter})
             position_{letter} <= position_{letter} + (negative_{letter} ? -34'sd1 : 34'sd1);

@@ -1,7 +1,7 @@
 //! The textbook's circuit of an arc by digital integration.
 
 use crate::trace::{Kind, Probe};
-use crate::word::mask;
+use crate::word::{mask, signed};
 use crate::{Circuit, Sweep};
 use onepulse_core::dda::{self, Preset, Radix, Register};
 use onepulse_core::{Direction, Error, Pulse};
@@ -92,62 +92,59 @@ impl Arc {
     }
 
     /// Whether each axis is sent a pulse in this clock.
-    #[inline]
+    #[inline(always)]
     const fn pulse(&self) -> [bool; 2] {
         let q = &self.registers;
-        match q.beat {
-            Beat::Add => [false; 2],
-            Beat::Correct if q.sweep.is_stepping_out() => {
-                let [x, y] = q.sweep.at_end();
-                [!x, !y]
-            }
-            Beat::Correct => {
-                let [x, y] = q.sweep.stands();
-                [!x && q.sum[0] >> self.bits == 1, !y && q.sum[1] >> self.bits == 1]
-            }
+        let is_correct = matches!(q.beat, Beat::Correct);
+        let ([x, y], [x_stands, y_stands]) = (q.sweep.at_end(), q.sweep.stands());
+        if q.sweep.is_stepping_out() {
+            return [is_correct & !x, is_correct & !y];
         }
+        let carry = [q.sum[0] >> self.bits == 1, q.sum[1] >> self.bits == 1];
+        [is_correct & carry[0] & !x_stands, is_correct & carry[1] & !y_stands]
     }
 
-    #[inline]
-    fn next(&self, pulse: [bool; 2]) -> Registers {
-        let q = &self.registers;
-        let mut next = *q;
+    /// The clock edge. No beat writes what another of its registers is made of, so they can be
+    /// written one by one.
+    #[inline(always)]
+    fn edge(&mut self, pulse: [bool; 2]) {
+        let q = &mut self.registers;
         match q.beat {
             Beat::Add => {
                 if !q.sweep.done() {
-                    next.beat = Beat::Correct;
+                    q.beat = Beat::Correct;
                 }
-                next.sum = [q.jr[0] + q.jv[0], q.jr[1] + q.jv[1]];
-                next.sweep = q.sweep.look(is_zero(q.jv));
+                q.sum = [q.jr[0] + q.jv[0], q.jr[1] + q.jv[1]];
+                q.sweep.look(is_zero(q.jv));
             }
             Beat::Correct => {
-                next.beat = Beat::Add;
+                q.beat = Beat::Add;
                 for axis in 0..2 {
                     if !q.sweep.is_stepping_out() && !q.sweep.stands()[axis] {
-                        next.jr[axis] = q.sum[axis] & mask(self.bits);
+                        q.jr[axis] = q.sum[axis] & mask(self.bits);
                     }
-                    if pulse[axis] {
-                        // A pulse of x moves |x|, which JVy holds, and the other way round.
-                        let unit = q.sweep.growth(axis) * self.unit as i64;
-                        let jv = q.jv[1 - axis].wrapping_add_signed(unit);
-                        next.jv[1 - axis] = jv & mask(self.bits);
-                        next.sweep.count(axis, q.sweep.sign(axis));
-                    }
+                    // A pulse of x moves |x|, which JVy holds, and the other way round.
+                    let unit = self.unit as i64 * i64::from(pulse[axis]);
+                    let jv = &mut q.jv[1 - axis];
+                    *jv = jv.wrapping_add_signed(signed(unit, q.sweep.shrinks(axis)));
+                    *jv &= mask(self.bits);
+                    q.sweep.count(axis, pulse[axis], q.sweep.is_negative(axis));
                 }
             }
         }
-        next
     }
 
     /// The pulses with the sweep's directions.
-    #[inline]
-    const fn signed(&self, [x, y]: [bool; 2]) -> Pulse {
+    #[inline(always)]
+    fn directed(&self, pulse: [bool; 2]) -> Pulse {
         let sweep = &self.registers.sweep;
-        Pulse([if x { sweep.sign(0) } else { 0 }, if y { sweep.sign(1) } else { 0 }])
+        let directed = |axis: usize| signed(i64::from(pulse[axis]), sweep.is_negative(axis)) as i8;
+        Pulse([directed(0), directed(1)])
     }
 }
 
 /// The zero detectors of the coordinates x and y, from the integrands that follow them.
+#[inline(always)]
 const fn is_zero([jvx, jvy]: [u64; 2]) -> [bool; 2] {
     [jvy == 0, jvx == 0]
 }
@@ -156,14 +153,17 @@ impl Circuit for Arc {
     const CLOCKS_PER_CYCLE: u64 = 2;
     const NAME: &'static str = "dda_arc";
 
+    #[inline]
     fn pulses(&self) -> Pulse {
-        self.signed(self.pulse())
+        self.directed(self.pulse())
     }
 
+    #[inline]
     fn done(&self) -> bool {
         self.registers.beat == Beat::Add && self.registers.sweep.done()
     }
 
+    #[inline]
     fn is_mid_cycle(&self) -> bool {
         self.registers.beat != Beat::Add
     }
@@ -171,8 +171,8 @@ impl Circuit for Arc {
     #[inline]
     fn clock(&mut self) -> Pulse {
         let pulse = self.pulse();
-        let pulses = self.signed(pulse);
-        self.registers = self.next(pulse);
+        let pulses = self.directed(pulse);
+        self.edge(pulse);
         pulses
     }
 

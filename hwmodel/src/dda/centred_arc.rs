@@ -1,10 +1,10 @@
 //! The circuit of the centred staggered arc.
 
 use crate::trace::{Kind, Probe};
-use crate::word::{mask, wrap};
+use crate::word::{mask, signed, wrap};
 use crate::{Circuit, Sweep};
 use onepulse_core::dda::{self, Radix, Register};
-use onepulse_core::{Axis, Direction, Error, Pulse};
+use onepulse_core::{Direction, Error, Pulse};
 
 /// Two crossed integrators with signed integrands and remainders that run up and down; the y
 /// integrator adds the x that already has this cycle's pulse. Four clocks a cycle, which share one
@@ -92,98 +92,82 @@ impl CentredArc {
         Self::loaded([0; 2], [0; 2], 0, Sweep::reset(bits), bits)
     }
 
-    /// The axis that is sent a pulse in this clock, if one is.
-    #[inline]
-    const fn pulse(&self) -> Option<Axis> {
+    /// Whether this axis is sent a pulse, if this is the clock in which it moves.
+    #[inline(always)]
+    const fn is_due(&self, axis: usize) -> bool {
         let q = &self.registers;
-        let axis = match q.beat {
-            Beat::AddX | Beat::AddY => return None,
-            Beat::MoveX => Axis::X,
-            Beat::MoveY => Axis::Y,
-        };
-        let is_due = if q.sweep.is_stepping_out() {
-            !q.sweep.at_end()[axis.index()]
+        if q.sweep.is_stepping_out() {
+            !q.sweep.at_end()[axis]
         } else {
-            !q.sweep.stands()[axis.index()] && q.sum >> self.bits & 1 == 1
-        };
-        if is_due { Some(axis) } else { None }
-    }
-
-    /// The adder: ±y to JRx, ±x to JRy.
-    #[inline]
-    const fn sum(&self, axis: Axis) -> u64 {
-        let q = &self.registers;
-        let (integrand, subtracts) = match (axis, q.sweep.direction()) {
-            (Axis::X, Direction::Ccw) => (q.j[1], true),
-            (Axis::X, Direction::Cw) => (q.j[1], false),
-            (Axis::Y, Direction::Ccw) => (q.j[0], false),
-            (Axis::Y, Direction::Cw) => (q.j[0], true),
-        };
-        let integrand = if subtracts { -integrand } else { integrand };
-        q.jr[axis.index()].wrapping_add_signed(integrand) & mask(self.bits + 2)
-    }
-
-    #[inline]
-    fn next(&self, pulse: Option<Axis>) -> Registers {
-        let q = &self.registers;
-        let mut next = *q;
-        match q.beat {
-            Beat::AddX => {
-                if !q.sweep.done() {
-                    next.beat = Beat::MoveX;
-                }
-                next.sum = self.sum(Axis::X);
-                next.sweep = q.sweep.look([q.j[0] == 0, q.j[1] == 0]);
-            }
-            Beat::MoveX => {
-                next.beat = Beat::AddY;
-                self.take(&mut next, Axis::X);
-            }
-            Beat::AddY => {
-                next.beat = Beat::MoveY;
-                next.sum = self.sum(Axis::Y);
-            }
-            Beat::MoveY => {
-                next.beat = Beat::AddX;
-                self.take(&mut next, Axis::Y);
-            }
-        }
-        if let Some(axis) = pulse {
-            let axis = axis.index();
-            let sign = self.sign(axis);
-            let unit = i64::from(sign) * self.unit as i64;
-            next.j[axis] = wrap(q.j[axis] + unit, self.bits);
-            next.sweep.count(axis, sign);
-        }
-        next
-    }
-
-    /// The remainder of an axis that does not stand takes the sum.
-    #[inline]
-    fn take(&self, next: &mut Registers, axis: Axis) {
-        let q = &self.registers;
-        if !q.sweep.is_stepping_out() && !q.sweep.stands()[axis.index()] {
-            next.jr[axis.index()] = q.sum & mask(self.bits);
+            (q.sum >> self.bits & 1 == 1) & !q.sweep.stands()[axis]
         }
     }
 
     /// The direction of a pulse: a borrow's is negative, stepping out has the end counter's.
-    #[inline]
-    const fn sign(&self, axis: usize) -> i8 {
+    #[inline(always)]
+    const fn is_negative(&self, axis: usize) -> bool {
         let q = &self.registers;
         if q.sweep.is_stepping_out() {
-            q.sweep.sign(axis)
-        } else if q.sum >> (self.bits + 1) == 1 {
-            -1
+            q.sweep.is_negative(axis)
         } else {
-            1
+            q.sum >> (self.bits + 1) == 1
         }
     }
 
-    /// The pulse with its direction.
-    #[inline]
-    fn signed(&self, pulse: Option<Axis>) -> Pulse {
-        pulse.map_or(Pulse::NONE, |axis| Pulse::on(axis, self.sign(axis.index())))
+    /// The pulse of an axis in the clock in which it moves.
+    #[inline(always)]
+    const fn moved(&self, axis: usize) -> i8 {
+        signed(self.is_due(axis) as i64, self.is_negative(axis)) as i8
+    }
+
+    /// The adder: JRx − y and JRy + x, clockwise JRx + y and JRy − x.
+    #[inline(always)]
+    const fn sum(&self, axis: usize) -> u64 {
+        let q = &self.registers;
+        let subtracts = matches!(q.sweep.direction(), Direction::Ccw) == (axis == 0);
+        let integrand = signed(q.j[1 - axis], subtracts);
+        q.jr[axis].wrapping_add_signed(integrand) & mask(self.bits + 2)
+    }
+
+    /// The edge of a beat that moves: remainder, coordinate and end counter of an axis.
+    #[inline(always)]
+    fn take(&mut self, axis: usize) {
+        let (is_due, is_negative) = (self.is_due(axis), self.is_negative(axis));
+        let q = &mut self.registers;
+        if !q.sweep.is_stepping_out() && !q.sweep.stands()[axis] {
+            q.jr[axis] = q.sum & mask(self.bits);
+        }
+        let unit = signed(self.unit as i64 * i64::from(is_due), is_negative);
+        q.j[axis] = wrap(q.j[axis] + unit, self.bits);
+        q.sweep.count(axis, is_due, is_negative);
+    }
+
+    /// The clock edge. No beat writes what another of its registers is made of, so they can be
+    /// written one by one.
+    #[inline(always)]
+    fn edge(&mut self) {
+        match self.registers.beat {
+            Beat::AddX => {
+                self.registers.sum = self.sum(0);
+                let q = &mut self.registers;
+                if !q.sweep.done() {
+                    q.beat = Beat::MoveX;
+                }
+                q.sweep.look([q.j[0] == 0, q.j[1] == 0]);
+            }
+            Beat::MoveX => {
+                self.registers.beat = Beat::AddY;
+                self.take(0);
+            }
+            Beat::AddY => {
+                self.registers.beat = Beat::MoveY;
+                self.registers.sum = self.sum(1);
+            }
+            Beat::MoveY => {
+                self.registers.beat = Beat::AddX;
+                self.take(1);
+            }
+        }
     }
 }
 
@@ -191,23 +175,29 @@ impl Circuit for CentredArc {
     const CLOCKS_PER_CYCLE: u64 = 4;
     const NAME: &'static str = "dda_centred_arc";
 
+    #[inline]
     fn pulses(&self) -> Pulse {
-        self.signed(self.pulse())
+        match self.registers.beat {
+            Beat::AddX | Beat::AddY => Pulse::NONE,
+            Beat::MoveX => Pulse([self.moved(0), 0]),
+            Beat::MoveY => Pulse([0, self.moved(1)]),
+        }
     }
 
+    #[inline]
     fn done(&self) -> bool {
         self.registers.beat == Beat::AddX && self.registers.sweep.done()
     }
 
+    #[inline]
     fn is_mid_cycle(&self) -> bool {
         self.registers.beat != Beat::AddX
     }
 
     #[inline]
     fn clock(&mut self) -> Pulse {
-        let pulse = self.pulse();
-        let pulses = self.signed(pulse);
-        self.registers = self.next(pulse);
+        let pulses = self.pulses();
+        self.edge();
         pulses
     }
 

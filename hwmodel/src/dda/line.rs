@@ -78,6 +78,7 @@ impl<const AXES: usize> Line<AXES> {
         Self::loaded([0; AXES], 0, 0, [false; AXES], bits)
     }
 
+    #[inline(always)]
     fn wires(&self) -> Wires<AXES> {
         let q = &self.registers;
         let done = q.je == 0;
@@ -86,7 +87,7 @@ impl<const AXES: usize> Line<AXES> {
     }
 
     /// The pulses with the directions of the sign flip-flops.
-    #[inline]
+    #[inline(always)]
     fn signed(&self, wires: &Wires<AXES>) -> Pulse<AXES> {
         Pulse(core::array::from_fn(|axis| match (wires.carry[axis], self.negative[axis]) {
             (false, _) => 0,
@@ -95,6 +96,7 @@ impl<const AXES: usize> Line<AXES> {
         }))
     }
 
+    #[inline(always)]
     fn next(&self, wires: &Wires<AXES>) -> Registers<AXES> {
         if wires.done {
             return self.registers;
@@ -111,10 +113,12 @@ impl<const AXES: usize> Circuit<AXES> for Line<AXES> {
     const CLOCKS_PER_CYCLE: u64 = 1;
     const NAME: &'static str = "dda_line";
 
+    #[inline]
     fn pulses(&self) -> Pulse<AXES> {
         self.signed(&self.wires())
     }
 
+    #[inline]
     fn done(&self) -> bool {
         self.wires().done
     }

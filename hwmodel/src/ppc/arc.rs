@@ -2,7 +2,7 @@
 
 use super::{Beat, end::EndCounter};
 use crate::trace::{Kind, Probe};
-use crate::word::{mask, wrap};
+use crate::word::{mask, signed, wrap};
 use crate::{Circuit, Sweep};
 use onepulse_core::dda::{Radix, Register};
 use onepulse_core::{self as software, Axis, Direction, EndRule, Error, Pulse};
@@ -89,49 +89,44 @@ impl Arc {
     }
 
     /// The judge beat's decision.
+    #[inline(always)]
     fn judge(&self) -> Axis {
         let q = &self.registers;
-        let (towards, away) = match q.sweep.towards() {
-            Axis::X => (Axis::X, Axis::Y),
-            Axis::Y => (Axis::Y, Axis::X),
-        };
-        let stands = q.sweep.stands();
-        match (stands[towards.index()], stands[away.index()]) {
-            (false, false) if q.f >= 0 => towards,
-            (false, true) => towards,
-            (_, false) => away,
-            (true, true) if q.sweep.at_end()[0] => Axis::Y,
-            (true, true) => Axis::X,
-        }
+        let ([x_stands, y_stands], [x_at_end, _]) = (q.sweep.stands(), q.sweep.at_end());
+        let towards_is_y = q.sweep.towards() == Axis::Y;
+        let (towards_stands, away_stands) =
+            if towards_is_y { (y_stands, x_stands) } else { (x_stands, y_stands) };
+        let feeds_towards = (q.f >= 0) & !towards_stands | away_stands;
+        let due_is_x = if x_stands & y_stands { !x_at_end } else { feeds_towards != towards_is_y };
+        if due_is_x { Axis::X } else { Axis::Y }
     }
 
-    fn next(&self) -> Registers {
-        let q = &self.registers;
-        let mut next = *q;
+    /// The clock edge. No beat writes what another of its registers is made of, except that an
+    /// update's change of F needs the coordinate as it was.
+    #[inline(always)]
+    fn edge(&mut self) {
         if self.done() {
-            return next;
+            return;
         }
-        next.beat = q.beat.next();
+        let judged = self.judge();
+        let q = &mut self.registers;
         let due = q.due.index();
-        let growth = q.sweep.growth(due);
-        match (q.beat, growth) {
-            (Beat::Feed, -1) | (Beat::Update, 1) => {
-                next.c[due] = q.c[due].wrapping_add_signed(growth) & mask(self.bits);
-            }
-            _ => {}
-        }
+        let shrinks = q.sweep.shrinks(due);
         match q.beat {
-            Beat::Judge => next.due = self.judge(),
-            Beat::Feed => {}
-            Beat::Update => {
-                let change = growth * (2 * q.c[due] as i64 + 1);
-                next.f = wrap(q.f + change, self.bits + 2);
-                next.sweep.count(due, q.sweep.sign(due));
-                next.end = q.end.next(q.due);
+            Beat::Judge => q.due = judged,
+            Beat::Feed => {
+                q.c[due] = q.c[due].wrapping_sub(u64::from(shrinks)) & mask(self.bits);
             }
-            Beat::Compare => next.sweep = q.sweep.look(q.c.map(|c| c == 0)),
+            Beat::Update => {
+                let change = signed(2 * q.c[due] as i64 + 1, shrinks);
+                q.f = wrap(q.f + change, self.bits + 2);
+                q.c[due] = (q.c[due] + u64::from(!shrinks)) & mask(self.bits);
+                q.sweep.count(due, true, q.sweep.is_negative(due));
+                q.end.count(q.due);
+            }
+            Beat::Compare => q.sweep.look([q.c[0] == 0, q.c[1] == 0]),
         }
-        next
+        q.beat = q.beat.next();
     }
 }
 
@@ -139,20 +134,22 @@ impl Circuit for Arc {
     const CLOCKS_PER_CYCLE: u64 = 4;
     const NAME: &'static str = "ppc_arc";
 
+    #[inline]
     fn pulses(&self) -> Pulse {
-        match self.registers {
-            Registers { beat: Beat::Feed, due, sweep, .. } => {
-                Pulse::on(due, sweep.sign(due.index()))
-            }
-            _ => Pulse::NONE,
+        let q = &self.registers;
+        match q.beat {
+            Beat::Feed => Pulse::on(q.due, signed(1, q.sweep.is_negative(q.due.index())) as i8),
+            Beat::Judge | Beat::Update | Beat::Compare => Pulse::NONE,
         }
     }
 
+    #[inline]
     fn done(&self) -> bool {
         let q = &self.registers;
         q.beat == Beat::Judge && q.end.done(q.sweep.done())
     }
 
+    #[inline]
     fn is_mid_cycle(&self) -> bool {
         self.registers.beat != Beat::Judge
     }
@@ -160,7 +157,7 @@ impl Circuit for Arc {
     #[inline]
     fn clock(&mut self) -> Pulse {
         let pulses = self.pulses();
-        self.registers = self.next();
+        self.edge();
         pulses
     }
 

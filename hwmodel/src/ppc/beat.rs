@@ -19,6 +19,7 @@ impl Beat {
 
     /// The state after this one.
     #[must_use]
+    #[inline]
     pub const fn next(self) -> Self {
         match self {
             Self::Judge => Self::Feed,

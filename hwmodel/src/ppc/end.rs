@@ -27,6 +27,7 @@ impl EndCounter {
     }
 
     /// Whether the end is reached; `axes_done` says so for the two counters.
+    #[inline(always)]
     pub(super) const fn done(&self, axes_done: bool) -> bool {
         match self.rule {
             EndRule::PerAxis => axes_done,
@@ -41,13 +42,14 @@ impl EndCounter {
         probe.signal("e", Kind::Unsigned(bits), self.e);
     }
 
-    /// The next content after a pulse on `axis`.
-    pub(super) fn next(&self, axis: Axis) -> Self {
+    /// The edge that counts a pulse on `axis`.
+    #[inline(always)]
+    pub(super) fn count(&mut self, axis: Axis) {
         let counts = match self.rule {
             EndRule::Total => true,
             EndRule::Larger => axis == self.larger,
             EndRule::PerAxis => false,
         };
-        Self { e: self.e - u64::from(counts), ..*self }
+        self.e -= u64::from(counts);
     }
 }

@@ -3,7 +3,7 @@
 use super::{Beat, end::EndCounter};
 use crate::Circuit;
 use crate::trace::{Kind, Probe};
-use crate::word::wrap;
+use crate::word::{signed, wrap};
 use onepulse_core::dda::{Radix, Register};
 use onepulse_core::{Axis, EndRule, Error, Pulse};
 
@@ -68,32 +68,32 @@ impl Line {
         Self::loaded([0; 2], [false; 2], EndCounter::new(EndRule::Total, [0; 2]), bits)
     }
 
-    fn next(&self) -> Registers {
-        let q = &self.registers;
-        let mut next = *q;
+    /// The clock edge. No beat writes what another of its registers is made of, so they can be
+    /// written one by one.
+    #[inline(always)]
+    fn edge(&mut self) {
         if self.done() {
-            return next;
+            return;
         }
-        next.beat = q.beat.next();
+        let q = &mut self.registers;
         match q.beat {
             Beat::Judge => {
-                let feeds_x = q.f >= 0 && q.je[0] != 0 || q.je[1] == 0;
-                next.due = if feeds_x { Axis::X } else { Axis::Y };
+                let feeds_x = (q.f >= 0) & (q.je[0] != 0) | (q.je[1] == 0);
+                q.due = if feeds_x { Axis::X } else { Axis::Y };
             }
             Beat::Feed => {}
             Beat::Update => {
-                let change = match q.due {
-                    Axis::X => -(self.end[1] as i64),
-                    Axis::Y => self.end[0] as i64,
-                };
-                next.f = wrap(q.f + change, self.bits + 1);
+                // As a choice of two, F would wait for a guess that is often wrong.
+                let (xe, ye) = (self.end[0] as i64, self.end[1] as i64);
+                let change = xe - (xe + ye) * i64::from(q.due == Axis::X);
+                q.f = wrap(q.f + change, self.bits + 1);
             }
             Beat::Compare => {
-                next.je[q.due.index()] -= 1;
-                next.end = q.end.next(q.due);
+                q.je[q.due.index()] -= 1;
+                q.end.count(q.due);
             }
         }
-        next
+        q.beat = q.beat.next();
     }
 }
 
@@ -101,20 +101,22 @@ impl Circuit for Line {
     const CLOCKS_PER_CYCLE: u64 = 4;
     const NAME: &'static str = "ppc_line";
 
+    #[inline]
     fn pulses(&self) -> Pulse {
-        match self.registers {
-            Registers { beat: Beat::Feed, due, .. } => {
-                Pulse::on(due, if self.negative[due.index()] { -1 } else { 1 })
-            }
-            _ => Pulse::NONE,
+        let q = &self.registers;
+        match q.beat {
+            Beat::Feed => Pulse::on(q.due, signed(1, self.negative[q.due.index()]) as i8),
+            Beat::Judge | Beat::Update | Beat::Compare => Pulse::NONE,
         }
     }
 
+    #[inline]
     fn done(&self) -> bool {
         let q = &self.registers;
         q.beat == Beat::Judge && q.end.done(q.je == [0, 0])
     }
 
+    #[inline]
     fn is_mid_cycle(&self) -> bool {
         self.registers.beat != Beat::Judge
     }
@@ -122,7 +124,7 @@ impl Circuit for Line {
     #[inline]
     fn clock(&mut self) -> Pulse {
         let pulses = self.pulses();
-        self.registers = self.next();
+        self.edge();
         pulses
     }
 
