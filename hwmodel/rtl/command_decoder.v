@@ -19,7 +19,7 @@
 //   finish     presets, signs
 //   put        into the queue
 //
-// An arc takes up to 4N + 12 clocks, a line to be normalized N + 5, any other 5.
+// From the clock that takes it, an arc needs up to 4N + 13 clocks, a DDA line N + 5, any other 5.
 module command_decoder #(
     parameter N    = 24,
     parameter AXES = 2,

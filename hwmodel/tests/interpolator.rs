@@ -214,7 +214,7 @@ fn is_equal_and_in_time(command: Command<2>, bits: u32) {
     };
     assert!(host.refused.is_empty() && host.pulses == due, "{command:?}");
     // Decoding, the cycles, and the last pulse's way to the end of its step.
-    let clocks = u64::from(4 * bits + 12) + cycles * u64::from(command.period) + 16;
+    let clocks = u64::from(4 * bits + 13) + cycles * u64::from(command.period) + 16;
     assert!(host.clock <= clocks, "{command:?}: {} clocks, not {clocks}", host.clock);
 }
 
@@ -303,6 +303,28 @@ fn what_no_register_can_hold_is_refused_with_its_reason() {
     assert_eq!(refusal(Command { start: [128, 0], ..arc }), Refusal::TooLarge);
     assert_eq!(refusal(Command { period: 5, ..line }), Refusal::Period);
     assert!(Interpolator::<2>::new(1).is_err() && Interpolator::<2>::new(33).is_err());
+}
+
+#[test]
+fn decoding_takes_no_longer_than_promised() {
+    let clocks = |command: Command<2>, bits| {
+        let mut interpolator = Interpolator::<2>::new(bits).unwrap();
+        interpolator.clock(&Inputs { command: Some(command), ..Inputs::default() });
+        let mut clocks = 1;
+        while !interpolator.ready() {
+            interpolator.clock(&Inputs::default());
+            clocks += 1;
+        }
+        clocks
+    };
+    for bits in 3..=31 {
+        // The smallest circle is shifted most.
+        let circle = Command::dda_centred_arc([1, 0], [1, 0], Direction::Ccw, true, 6);
+        assert_eq!(clocks(circle, bits), 4 * bits + 13);
+        let line = Command::dda_line([1, 0], Preset::Zero, true, 6);
+        assert_eq!(clocks(line, bits), bits + 5);
+        assert_eq!(clocks(Command::ppc_line([1, 0], 6), bits), 5);
+    }
 }
 
 #[test]

@@ -27,7 +27,7 @@ use crate::word::{mask, wrap};
 ///  put        into the queue
 /// ```
 ///
-/// An arc takes up to 4n + 12 clocks, a line to be normalized n + 5, any other 5.
+/// From the clock that takes it, an arc needs up to 4n + 13 clocks, a DDA line n + 5, any other 5.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Decoder<const AXES: usize> {
     registers: Registers<AXES>,

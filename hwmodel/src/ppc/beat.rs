@@ -7,9 +7,9 @@ pub enum Beat {
     Judge,
     /// Send the pulse.
     Feed,
-    /// Compute F for the new point.
+    /// Compute F for the new point; an arc's end counters count the pulse.
     Update,
-    /// Count the pulse and compare with the end point.
+    /// Compare with the end point; a line's end counters count the pulse.
     Compare,
 }
 
