@@ -42,6 +42,14 @@ impl Line {
         })
     }
 
+    /// The line to `end` in this state, reachable or not.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn in_state(end: [i32; 2], rule: EndRule, f: i64, left: [u32; 2]) -> Self {
+        let (end, sign) = (end.map(i32::unsigned_abs), end.map(|c| c.signum() as i8));
+        Self { f, end, sign, left, rule }
+    }
+
     /// One step of four beats; `None` once the end rule is met.
     ///
     /// Both feeds are computed and one is chosen: on most lines no processor can predict F's
