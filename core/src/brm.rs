@@ -57,6 +57,20 @@ impl<const AXES: usize> Line<AXES> {
         })
     }
 
+    /// The line to `end` in this state, reachable or not.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn in_state(
+        end: [i32; AXES],
+        register: Register,
+        position: [i64; AXES],
+        clock: u64,
+    ) -> Self {
+        let value = end.map(|c| u64::from(c.unsigned_abs()));
+        let sign = end.map(|c| c.signum() as i8);
+        Self { value, sign, position, end, clock, register }
+    }
+
     /// One clock of the pulse source; `None` once the divider has overflowed.
     #[inline]
     pub fn step(&mut self) -> Option<Pulse<AXES>> {

@@ -70,3 +70,16 @@ impl Pulse {
         }
     }
 }
+
+/// A magnitude with the sign of a pulse. (A choice, not a product: cheap on processors without a
+/// multiplier, and in proofs.)
+#[inline]
+pub(crate) const fn signed(sign: i8, magnitude: i64) -> i64 {
+    if sign > 0 {
+        magnitude
+    } else if sign < 0 {
+        -magnitude
+    } else {
+        0
+    }
+}

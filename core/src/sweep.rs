@@ -26,15 +26,27 @@ impl Sweep {
     /// A start or an end in the origin, or a circle through `start` that leaves the `i32`
     /// coordinates.
     pub fn new(start: [i32; 2], end: [i32; 2], direction: Direction) -> Result<Self, Error> {
+        let radius_squared = radius_squared(start);
+        let most = i64::from(i32::MAX).unsigned_abs();
+        if radius_squared > most * most {
+            return Err(Error::CircleTooLarge { start });
+        }
+        let peak = peak(radius_squared) as i64;
+        Self::with_roots(start, end, direction, peak, root_rounded_up(radius_squared))
+    }
+
+    /// The sweep on a circle whose roots are known.
+    fn with_roots(
+        start: [i32; 2],
+        end: [i32; 2],
+        direction: Direction,
+        peak: i64,
+        radius_rounded_up: u64,
+    ) -> Result<Self, Error> {
         let from = start.map(i64::from);
         let to = end.map(i64::from);
         let first = Quadrant::entered(from, direction).ok_or(Error::StartInCentre)?;
         let last = Quadrant::left(to, direction).ok_or(Error::EndInCentre)?;
-        let radius_squared = square(from[0]) + square(from[1]);
-        if radius_squared > square(i64::from(i32::MAX)) {
-            return Err(Error::CircleTooLarge { start });
-        }
-
         let mut crossings_left = 0;
         let mut quadrant = first;
         while quadrant != last {
@@ -50,9 +62,37 @@ impl Sweep {
             feeds: first.feeds(direction),
             crossings_left,
             end: to,
-            peak: peak(radius_squared) as i64,
-            radius_rounded_up: root_rounded_up(radius_squared),
+            peak,
+            radius_rounded_up,
         })
+    }
+
+    /// The sweep as [`Sweep::new`] makes it, but for the roots, which are given: the largest
+    /// coordinate of point-by-point comparison, and R rounded up.
+    #[cfg(feature = "proofs")]
+    pub fn with_given_roots(
+        start: [i32; 2],
+        end: [i32; 2],
+        direction: Direction,
+        peak: i64,
+        radius_rounded_up: u64,
+    ) -> Result<Self, Error> {
+        Self::with_roots(start, end, direction, peak, radius_rounded_up)
+    }
+
+    /// The sweep in this state, reachable or not.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub const fn in_state(
+        direction: Direction,
+        quadrant: Quadrant,
+        crossings_left: u8,
+        end: [i64; 2],
+        peak: i64,
+        radius_rounded_up: u64,
+    ) -> Self {
+        let feeds = quadrant.feeds(direction);
+        Self { direction, quadrant, feeds, crossings_left, end, peak, radius_rounded_up }
     }
 
     /// The sense of the arc.
@@ -89,6 +129,12 @@ impl Sweep {
     #[must_use]
     pub const fn peak(&self) -> i64 {
         self.peak
+    }
+
+    /// R, rounded up.
+    #[must_use]
+    pub const fn radius_rounded_up(&self) -> u64 {
+        self.radius_rounded_up
     }
 
     /// A bound on every coordinate of the circle and of the end point: R, rounded up.
@@ -158,21 +204,26 @@ impl Sweep {
     /// for every method in the last quadrant).
     #[must_use]
     pub fn pulses_to_go(&self, position: [i64; 2]) -> [u64; 2] {
-        let mut to_go = [0; 2];
-        let mut from = position;
-        let mut quadrant = self.quadrant;
-        for _ in 0..self.crossings_left {
-            let feeds = quadrant.feeds(self.direction);
-            let mut crossing = [0; 2];
-            crossing[feeds.away.axis.index()] = i64::from(feeds.away.sign) * self.peak;
-            to_go[0] += from[0].abs_diff(crossing[0]);
-            to_go[1] += from[1].abs_diff(crossing[1]);
-            from = crossing;
-            quadrant = quadrant.next(self.direction);
+        let [x, y] = position;
+        let [xe, ye] = self.end;
+        if self.crossings_left == 0 {
+            return [x.abs_diff(xe), y.abs_diff(ye)];
         }
-        to_go[0] += from[0].abs_diff(self.end[0]);
-        to_go[1] += from[1].abs_diff(self.end[1]);
-        to_go
+        let peak = self.peak;
+        // To the first crossing, through whole quadrants, and from the last crossing to the end.
+        // Axis by axis, what is fed towards zero in one quadrant is fed away from it in the next.
+        let towards_is_x = matches!(self.feeds.towards.axis, Axis::X);
+        let [towards, away] = if towards_is_x { [x, y] } else { [y, x] };
+        let whole = u64::from(self.crossings_left - 1) * peak.unsigned_abs();
+        let to_axis = [towards.unsigned_abs() + whole, peak.abs_diff(away.abs()) + whole];
+        let last_towards_is_x = towards_is_x != (self.crossings_left % 2 == 1);
+        let [last_towards, last_away] = if last_towards_is_x { [xe, ye] } else { [ye, xe] };
+        let to_end = [peak.abs_diff(last_towards.abs()), last_away.unsigned_abs()];
+        let by_axis =
+            |[towards, away]: [u64; 2], is_x| if is_x { [towards, away] } else { [away, towards] };
+        let [x, y] = by_axis(to_axis, towards_is_x);
+        let [xe, ye] = by_axis(to_end, last_towards_is_x);
+        [x + xe, y + ye]
     }
 
     /// What always holds: the quadrant's motions are the stored ones, the sweep is at most a
@@ -202,7 +253,7 @@ fn is_ahead(from: [i64; 2], to: [i64; 2], direction: Direction) -> bool {
 /// before an axis, at 1, and leaves that column at the first c with c² + 1 ≥ R².
 fn peak(radius_squared: u64) -> u64 {
     match radius_squared {
-        1 => 1,
+        0 | 1 => radius_squared,
         _ => root_rounded_up(radius_squared - 1),
     }
 }
@@ -212,8 +263,9 @@ fn root_rounded_up(value: u64) -> u64 {
     root + u64::from(root * root < value)
 }
 
-fn square(value: i64) -> u64 {
-    value.unsigned_abs() * value.unsigned_abs()
+fn radius_squared([x, y]: [i32; 2]) -> u64 {
+    let square = |c: i32| u64::from(c.unsigned_abs()) * u64::from(c.unsigned_abs());
+    square(x) + square(y)
 }
 
 #[cfg(test)]

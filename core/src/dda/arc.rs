@@ -63,6 +63,19 @@ impl Arc {
         })
     }
 
+    /// The arc in this state, reachable or not.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub const fn in_state(
+        sweep: Sweep,
+        register: Register,
+        shift: u32,
+        jr: [u64; 2],
+        position: [i64; 2],
+    ) -> Self {
+        Self { position, jr, sweep, shift, register }
+    }
+
     /// The narrowest register that serves the arc, in bits: it holds every coordinate on the way.
     ///
     /// Within one quadrant none exceeds R. Beyond it this circuit's circle grows, and R + 5 is asked

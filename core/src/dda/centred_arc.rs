@@ -62,6 +62,19 @@ impl CentredArc {
         Ok(Self { position, jr: [(half + ahead) as u64, half as u64], sweep, shift, register })
     }
 
+    /// The arc in this state, reachable or not.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub const fn in_state(
+        sweep: Sweep,
+        register: Register,
+        shift: u32,
+        jr: [u64; 2],
+        position: [i64; 2],
+    ) -> Self {
+        Self { position, jr, sweep, shift, register }
+    }
+
     /// The narrowest register that serves the arc, in bits: as a signed register it holds the
     /// whole circle, R ≤ 2^(n−1) − 1, which is the headroom bit.
     ///

@@ -62,6 +62,22 @@ impl<const AXES: usize> Line<AXES> {
         })
     }
 
+    /// The line to `end` in this state, reachable or not.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn in_state(
+        end: [i32; AXES],
+        register: Register,
+        shift: u32,
+        jr: [u64; AXES],
+        position: [i64; AXES],
+        left: u64,
+    ) -> Self {
+        let jv = end.map(|c| u64::from(c.unsigned_abs()) << shift);
+        let sign = end.map(|c| c.signum() as i8);
+        Self { jv, jr, sign, position, end, left, shift, register }
+    }
+
     /// One accumulation on every axis; `None` once all are made.
     #[inline]
     pub fn step(&mut self) -> Option<Pulse<AXES>> {

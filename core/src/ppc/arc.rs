@@ -1,5 +1,6 @@
 //! Circular arc by point-by-point comparison.
 
+use crate::pulse::signed;
 use crate::{Axis, Direction, EndRule, Error, Feed, Feeds, Pulse, Sweep};
 
 /// An arc about the origin, any sweep up to a full turn.
@@ -51,7 +52,11 @@ impl Arc {
         direction: Direction,
         rule: EndRule,
     ) -> Result<Self, Error> {
-        let sweep = Sweep::new(start, end, direction)?;
+        Ok(Self::along(Sweep::new(start, end, direction)?, start, rule))
+    }
+
+    /// The arc from `start` along a sweep that begins there.
+    fn along(sweep: Sweep, start: [i32; 2], rule: EndRule) -> Self {
         let left = sweep.pulses_to_go(start.map(i64::from));
         let Feeds { towards, away } = sweep.feeds();
         let [towards, away] = [towards.axis.index(), away.axis.index()];
@@ -66,7 +71,26 @@ impl Arc {
             sweep,
         };
         arc.enter_quadrant();
-        Ok(arc)
+        arc
+    }
+
+    /// The arc from `start` along a sweep that begins there: [`Arc::new`] without its roots.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn along_given(sweep: Sweep, start: [i32; 2], rule: EndRule) -> Self {
+        Self::along(sweep, start, rule)
+    }
+
+    /// The arc at this place, reachable or not; `point` holds the magnitudes of the coordinate that
+    /// is fed towards zero and of the one that is fed away from it.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn in_state(sweep: Sweep, rule: EndRule, larger: Axis, f: i64, point: [i64; 2]) -> Self {
+        let (stop, pulse, left) = ([0; 2], [Pulse::NONE; 2], [0; 2]);
+        let mut arc = Self { f, point, stop, pulse, left, larger, rule, sweep };
+        arc.enter_quadrant();
+        arc.left = arc.by_axis(sweep.pulses_to_go(Self::position(&arc)));
+        arc
     }
 
     /// One step of four beats; `None` once the end rule is met.
@@ -208,8 +232,8 @@ impl Arc {
     pub fn position(&self) -> [i64; 2] {
         // What is fed towards zero lies on the side that its pulses come from.
         let Feeds { towards, away } = self.sweep.feeds();
-        let towards = -i64::from(towards.sign) * self.point[TOWARDS];
-        let away = i64::from(away.sign) * self.point[AWAY];
+        let towards = signed(-towards.sign, self.point[TOWARDS]);
+        let away = signed(away.sign, self.point[AWAY]);
         self.by_axis([towards, away])
     }
 
@@ -222,17 +246,25 @@ impl Arc {
     }
 
     /// What always holds: the counters hold the pulses of the way that is left, and while F
-    /// alone decides, −2R' < F ≤ 2R', where R' is the largest coordinate on the way.
+    /// alone decides, −2R' < F ≤ 2R', where R' is the largest coordinate on the way. The
+    /// coordinate that is fed towards zero has not come there yet, but for the circle of radius 1,
+    /// which steps through its centre.
     #[must_use]
     pub fn invariant(&self) -> bool {
         let peak = self.sweep.peak();
+        let [towards, away] = self.point;
+        let [x, y] = self.pulses_to_go();
+        let [x_to_go, y_to_go] = self.sweep.pulses_to_go(self.position());
+        let [x_stands, y_stands] = self.by_axis(self.stands());
+        let [x_does, y_does] = self.sweep.stands(self.position());
         self.sweep.invariant()
-            && self.pulses_to_go() == self.sweep.pulses_to_go(self.position())
-            && self.by_axis(self.stands()) == self.sweep.stands(self.position())
-            && (self.stands() != [false; 2]
-                || (-2 * peak < self.f
-                    && self.f <= 2 * peak
-                    && self.point.iter().all(|c| (0..=peak).contains(c))))
+            && (x == x_to_go && y == y_to_go)
+            && (x_stands == x_does && y_stands == y_does)
+            && (x_stands
+                || y_stands
+                || (-2 * peak < self.f && self.f <= 2 * peak)
+                    && (towards <= peak && 0 <= away && away <= peak)
+                    && (towards > 0 || towards == 0 && away == 0 && peak == 1))
     }
 
     /// From the order of the motions to that of the axes.

@@ -1,5 +1,6 @@
 //! Straight line by point-by-point comparison.
 
+use crate::pulse::signed;
 use crate::{Axis, EndRule, Error, Pulse};
 
 /// A line from the origin to `(x_e, y_e)`.
@@ -108,14 +109,14 @@ impl Line {
     /// The present point, counted from the line's start.
     #[must_use]
     pub fn position(&self) -> [i64; 2] {
-        [0, 1].map(|axis| i64::from(self.sign[axis]) * i64::from(self.end[axis] - self.left[axis]))
+        [0, 1].map(|axis| signed(self.sign[axis], i64::from(self.end[axis] - self.left[axis])))
     }
 
     /// What is missing to the end point: zero when done, but under [`EndRule::Larger`] the
     /// shorter axis may be left short.
     #[must_use]
     pub fn residual(&self) -> [i64; 2] {
-        [0, 1].map(|axis| i64::from(self.sign[axis]) * i64::from(self.left[axis]))
+        [0, 1].map(|axis| signed(self.sign[axis], i64::from(self.left[axis])))
     }
 
     /// What always holds: −|y_e| ≤ F ≤ |x_e|, and no axis has more pulses to go than it began

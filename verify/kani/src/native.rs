@@ -141,3 +141,13 @@ pub(crate) const fn cover(_condition: bool, _file: &str, _line: u32) {}
 pub fn given(value: u64) -> u64 {
     SOURCE.with_borrow_mut(|source| source.given(value))
 }
+
+/// A number that a harness makes of a drawn one natively, where a solver is to choose it freely: a
+/// counterexample's is taken as it is.
+#[must_use]
+pub fn chosen(make: impl FnOnce(u64) -> u64) -> u64 {
+    SOURCE.with_borrow_mut(|source| {
+        let drawn = source.draw(u64::BITS, false);
+        if source.is_replay() { drawn } else { make(drawn) }
+    })
+}

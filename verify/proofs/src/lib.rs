@@ -13,5 +13,8 @@
 #![cfg(any(test, kani, target_arch = "wasm32"))]
 #![cfg_attr(target_arch = "wasm32", no_std)]
 
+mod any;
+mod ppc_arc;
 mod ppc_line;
 mod product;
+mod same;

@@ -26,3 +26,23 @@ pub(crate) fn product(factor: u32, count: u32) -> u64 {
     kani::assume(factor <= 1 << 31 && count <= 1 << 31);
     kani::native::given(u64::from(factor) * u64::from(count))
 }
+
+/// The square of a coordinate.
+///
+/// To a solver any number with these properties (lemmas `square_…` in
+/// `verify/lemmas/product.smt2`): those of a product, and that the squares beside it are squares
+/// too, so that (c − 1)² ≥ 0 and, below 2³¹, (c + 1)² ≤ 2⁶².
+#[cfg(any(kani, target_arch = "wasm32"))]
+#[inline(always)]
+pub(crate) fn square(coordinate: u32) -> i64 {
+    let square = product(coordinate, coordinate) as i64;
+    let c = i64::from(coordinate);
+    kani::assume(square >= 2 * c - 1 && (coordinate == 1 << 31 || square + 2 * c + 1 <= 1 << 62));
+    square
+}
+
+/// The square of a coordinate. A counterexample's own number when one is run again.
+#[cfg(not(any(kani, target_arch = "wasm32")))]
+pub(crate) fn square(coordinate: u32) -> i64 {
+    product(coordinate, coordinate) as i64
+}

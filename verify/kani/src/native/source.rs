@@ -68,10 +68,11 @@ impl Source {
     }
 
     pub(super) fn given(&mut self, value: u64) -> u64 {
-        match self.kind {
-            Kind::Replay => self.draw(u64::BITS, false),
-            _ => value,
-        }
+        if self.is_replay() { self.draw(u64::BITS, false) } else { value }
+    }
+
+    pub(super) const fn is_replay(&self) -> bool {
+        matches!(self.kind, Kind::Replay)
     }
 
     pub(super) fn draw(&mut self, bits: u32, is_signed: bool) -> u64 {

@@ -1,0 +1,130 @@
+//! Arc by point-by-point comparison: P3, P4, P5, N1 for every circle within `i32`, any sweep, any
+//! end point.
+//!
+//! F = x² + y² − R² holds throughout; the squares are the ghosts of [`square`]. What F says of the
+//! coordinates, by the lemmas of `verify/lemmas/ppc_arc.smt2`, is what the harnesses may assume:
+//! see [`lemmas`].
+
+use crate::any::{any_axis, any_direction, any_rule, any_sweep};
+use crate::product::square;
+use onepulse_core::ppc::Arc;
+use onepulse_core::{EndRule, Pulse, Sweep};
+
+/// What follows for t, the coordinate fed towards zero, and a, the one fed away from it, from
+/// F = t² + a² − R² and the largest coordinate p = ⌈√(R² − 1)⌉ (1 for R = 1).
+fn lemmas(f: i64, t: i64, a: i64, sweep: &Sweep) -> bool {
+    let peak = sweep.peak();
+    let is_unit_circle = sweep.radius_rounded_up() == 1;
+    // before_peak: inside the circle, and not on the axis, a has not come to the peak.
+    (f >= 0 || t < 1 || a < peak)
+        // at_crossing: the last column is left for the axis at the peak only.
+        && (f < 0 || t != 1 || a >= peak || is_unit_circle)
+}
+
+/// R² of a sweep's circle: any number below 2⁶², and 1 for the circle of radius 1 alone.
+#[cfg(any(kani, target_arch = "wasm32"))]
+fn any_radius_squared(sweep: &Sweep) -> i64 {
+    kani::any_where(|square: &i64| {
+        1 <= *square && *square < 1 << 62 && (*square == 1) == (sweep.radius_rounded_up() == 1)
+    })
+}
+
+/// R² of a sweep's circle: between the squares that its roots have.
+#[cfg(not(any(kani, target_arch = "wasm32")))]
+fn any_radius_squared(sweep: &Sweep) -> i64 {
+    let (peak, rounded_up) = (sweep.peak(), sweep.radius_rounded_up() as i64);
+    let least = (rounded_up - 1).pow(2) + 1;
+    let most = if rounded_up > peak { least } else { peak.pow(2) };
+    kani::native::chosen(|drawn| least as u64 + drawn % (most - least + 1) as u64) as i64
+}
+
+/// Any state that satisfies the invariant.
+fn any_state(rule: EndRule) -> Arc {
+    let sweep = any_sweep();
+    let point: [u32; 2] = kani::any();
+    kani::assume(point[0] <= 1 << 31 && point[1] <= 1 << 31);
+    let f = square(point[0]) + square(point[1]) - any_radius_squared(&sweep);
+    let point = point.map(i64::from);
+    kani::assume(lemmas(f, point[0], point[1], &sweep));
+    let arc = Arc::in_state(sweep, rule, any_axis(), f, point);
+    kani::assume(arc.invariant());
+    arc
+}
+
+/// One step moves one axis by one pulse, F follows it exactly, the counter falls by one, and F alone
+/// decides until an axis stands.
+#[kani::proof]
+fn ppc_arc_step_preserves_invariant() {
+    let rule = any_rule();
+    let mut arc = any_state(rule);
+    let before = arc;
+    let at = before.position();
+    let stands = before.sweep().stands(at);
+    let feeds = before.sweep().feeds();
+
+    let Some(pulse) = arc.step() else {
+        assert!(before.is_done());
+        return;
+    };
+    kani::cover!(before.sweep().crossings_left() > arc.sweep().crossings_left());
+    kani::cover!(before.deviation_function() < 0);
+    kani::cover!(stands[0] && stands[1]);
+    kani::cover!(arc.is_done());
+
+    let Pulse([dx, dy]) = pulse;
+    let [dx, dy] = [i64::from(dx), i64::from(dy)];
+    assert!(dx.abs() + dy.abs() == 1);
+    let to = arc.position();
+    assert!(to[0] == at[0] + dx && to[1] == at[1] + dy);
+    let along = if dx == 0 { dy * at[1] } else { dx * at[0] };
+    assert!(arc.deviation_function() == before.deviation_function() + 2 * along + 1);
+    if !stands[0] && !stands[1] {
+        let due = if before.deviation_function() >= 0 { feeds.towards } else { feeds.away };
+        assert!(pulse.0[due.axis.index()] == due.sign);
+    }
+
+    assert!(arc.invariant());
+    assert!(to[0].abs() <= 1 << 31 && to[1].abs() <= 1 << 31);
+    let [x, y] = before.pulses_to_go();
+    let [x_after, y_after] = arc.pulses_to_go();
+    assert!(x_after + dx.unsigned_abs() == x && y_after + dy.unsigned_abs() == y);
+}
+
+/// Under the rules that count both axes. Under the third, what is missing is told.
+#[kani::proof]
+fn ppc_arc_done_means_end_point() {
+    let rule = any_rule();
+    let arc = any_state(rule);
+    let (end, at) = (arc.sweep().end(), arc.position());
+    let residual = arc.residual();
+    assert!(residual[0] == end[0] - at[0] && residual[1] == end[1] - at[1]);
+    assert!(arc.is_done() == (arc.remaining() == 0));
+    kani::cover!(arc.is_done() && residual[0] != 0);
+    kani::cover!(arc.is_done() && rule == EndRule::Total);
+    if arc.is_done() && rule != EndRule::Larger {
+        assert!(residual[0] == 0 && residual[1] == 0);
+    }
+}
+
+/// From every start that has a circle to every end that has a direction.
+#[kani::proof]
+fn ppc_arc_new_establishes_invariant() {
+    let (start, end): ([i32; 2], [i32; 2]) = (kani::any(), kani::any());
+    let direction = any_direction();
+    let peak = i64::from(kani::any_where(|peak: &i32| *peak >= 1));
+    // start_below_peak: p² + 1 ≥ R², and p is no less than a coordinate alone.
+    kani::assume(start.map(|c| i64::from(c).abs()).iter().all(|c| *c <= peak));
+    let Ok(sweep) = Sweep::with_given_roots(start, end, direction, peak, peak as u64) else {
+        kani::cover!(start[0] == 0 && start[1] == 0);
+        assert!(start == [0, 0] || end == [0, 0]);
+        return;
+    };
+    let rule = any_rule();
+    let arc = Arc::along_given(sweep, start, rule);
+    kani::cover!(sweep.crossings_left() == 4);
+    kani::cover!(sweep.crossings_left() == 0);
+    assert!(arc.invariant());
+    assert!(arc.deviation_function() == 0);
+    let at = arc.position();
+    assert!(at[0] == i64::from(start[0]) && at[1] == i64::from(start[1]));
+}
