@@ -214,7 +214,13 @@ impl Sweep {
         // Axis by axis, what is fed towards zero in one quadrant is fed away from it in the next.
         let towards_is_x = matches!(self.feeds.towards.axis, Axis::X);
         let [towards, away] = if towards_is_x { [x, y] } else { [y, x] };
-        let whole = u64::from(self.crossings_left - 1) * peak.unsigned_abs();
+        let whole = match self.crossings_left {
+            1 => 0,
+            2 => peak,
+            3 => peak + peak,
+            _ => peak + peak + peak,
+        }
+        .unsigned_abs();
         let to_axis = [towards.unsigned_abs() + whole, peak.abs_diff(away.abs()) + whole];
         let last_towards_is_x = towards_is_x != (self.crossings_left % 2 == 1);
         let [last_towards, last_away] = if last_towards_is_x { [xe, ye] } else { [ye, xe] };

@@ -107,7 +107,8 @@ impl Arc {
         }
         let feeds_towards = self.f >= 0 && !stands[TOWARDS] || stands[AWAY];
         let [towards, away] = self.point;
-        self.f += if feeds_towards { 1 - 2 * towards } else { 1 + 2 * away };
+        let outwards = if feeds_towards { -towards } else { away };
+        self.f += 2 * outwards + 1;
         self.point = [towards - i64::from(feeds_towards), away + i64::from(!feeds_towards)];
         self.left[TOWARDS] -= u64::from(feeds_towards);
         self.left[AWAY] -= u64::from(!feeds_towards);
@@ -160,10 +161,11 @@ impl Arc {
         } else {
             (self.point[TOWARDS], self.stop[TOWARDS])
         };
-        let outwards = if c < stop { 1 } else { -1 };
-        self.f += 2 * outwards * c + 1;
-        self.point[AWAY] += if moves_away { outwards } else { 0 };
-        self.point[TOWARDS] += if moves_away { 0 } else { outwards };
+        let outwards = c < stop;
+        self.f += 2 * if outwards { c } else { -c } + 1;
+        let step = if outwards { 1 } else { -1 };
+        self.point[AWAY] += if moves_away { step } else { 0 };
+        self.point[TOWARDS] += if moves_away { 0 } else { step };
         self.left[AWAY] -= u64::from(moves_away);
         self.left[TOWARDS] -= u64::from(!moves_away);
         debug_assert!(self.invariant());

@@ -43,7 +43,8 @@ fn any_state(rule: EndRule) -> Arc {
     let sweep = any_sweep();
     let point: [u32; 2] = kani::any();
     kani::assume(point[0] <= 1 << 31 && point[1] <= 1 << 31);
-    let f = square(point[0]) + square(point[1]) - any_radius_squared(&sweep);
+    let [towards, away] = point.map(square);
+    let f = towards - any_radius_squared(&sweep) + away;
     let point = point.map(i64::from);
     kani::assume(lemmas(f, point[0], point[1], &sweep));
     let arc = Arc::in_state(sweep, rule, any_axis(), f, point);
@@ -51,17 +52,15 @@ fn any_state(rule: EndRule) -> Arc {
     arc
 }
 
-/// One step moves one axis by one pulse, F follows it exactly, the counter falls by one, and F alone
-/// decides until an axis stands.
+/// One step moves one axis by one pulse, F follows it exactly, and F alone decides until an axis
+/// stands.
 #[kani::proof]
-fn ppc_arc_step_preserves_invariant() {
-    let rule = any_rule();
-    let mut arc = any_state(rule);
+fn ppc_arc_step_follows_deviation() {
+    let mut arc = any_state(any_rule());
     let before = arc;
     let at = before.position();
     let stands = before.sweep().stands(at);
     let feeds = before.sweep().feeds();
-
     let Some(pulse) = arc.step() else {
         assert!(before.is_done());
         return;
@@ -69,25 +68,43 @@ fn ppc_arc_step_preserves_invariant() {
     kani::cover!(before.sweep().crossings_left() > arc.sweep().crossings_left());
     kani::cover!(before.deviation_function() < 0);
     kani::cover!(stands[0] && stands[1]);
-    kani::cover!(arc.is_done());
 
-    let Pulse([dx, dy]) = pulse;
-    let [dx, dy] = [i64::from(dx), i64::from(dy)];
+    let [dx, dy] = pulse.0.map(i64::from);
     assert!(dx.abs() + dy.abs() == 1);
     let to = arc.position();
     assert!(to[0] == at[0] + dx && to[1] == at[1] + dy);
-    let along = if dx == 0 { dy * at[1] } else { dx * at[0] };
+    assert!(to[0].abs() <= 1 << 31 && to[1].abs() <= 1 << 31);
+    let along = if dx == 0 { signed(dy, at[1]) } else { signed(dx, at[0]) };
     assert!(arc.deviation_function() == before.deviation_function() + 2 * along + 1);
     if !stands[0] && !stands[1] {
         let due = if before.deviation_function() >= 0 { feeds.towards } else { feeds.away };
         assert!(pulse.0[due.axis.index()] == due.sign);
     }
+}
 
-    assert!(arc.invariant());
-    assert!(to[0].abs() <= 1 << 31 && to[1].abs() <= 1 << 31);
-    let [x, y] = before.pulses_to_go();
+fn signed(sign: i64, value: i64) -> i64 {
+    if sign < 0 { -value } else { value }
+}
+
+/// The counter of the axis that moves falls by one.
+#[kani::proof]
+fn ppc_arc_step_counts_down() {
+    let mut arc = any_state(any_rule());
+    let [x, y] = arc.pulses_to_go();
+    let Some(Pulse([dx, dy])) = arc.step() else { return };
+    kani::cover!(arc.is_done());
     let [x_after, y_after] = arc.pulses_to_go();
-    assert!(x_after + dx.unsigned_abs() == x && y_after + dy.unsigned_abs() == y);
+    assert!(x_after + u64::from(dx.unsigned_abs()) == x);
+    assert!(y_after + u64::from(dy.unsigned_abs()) == y);
+}
+
+#[kani::proof]
+fn ppc_arc_step_preserves_invariant() {
+    let mut arc = any_state(any_rule());
+    let before = arc;
+    arc.step();
+    kani::cover!(before.sweep().crossings_left() > arc.sweep().crossings_left());
+    assert!(arc.invariant());
 }
 
 /// Under the rules that count both axes. Under the third, what is missing is told.
