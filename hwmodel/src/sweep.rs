@@ -190,6 +190,7 @@ impl Sweep {
         self.je[axis] = wrap(self.je[axis] - pulse, self.bits + 2);
     }
 
+    #[inline(always)]
     pub(crate) fn probe(&self, probe: &mut impl Probe) {
         const WORDS: &[&str] = &["I", "II", "III", "IV"];
         probe.signal("quadrant", Kind::Word(WORDS), self.quadrant as u64);
@@ -200,16 +201,17 @@ impl Sweep {
         }
         probe.signal("last", Kind::Bit, u64::from(self.crossings == 0));
         probe.signal("towards_is_y", Kind::Bit, u64::from(self.towards_is_y));
-        let mut flags = |stem, flags: [bool; 2]| {
+        for (stem, flags) in [
+            ("feeds_n", self.feeds_negative),
+            ("at_end_", self.looked.at_end),
+            ("stands_", self.looked.stands),
+            ("n", self.looked.negative),
+            ("shrinks_", self.looked.shrinks),
+        ] {
             for axis in 0..2 {
                 probe.axis_signal(stem, axis, Kind::Bit, u64::from(flags[axis]));
             }
-        };
-        flags("feeds_n", self.feeds_negative);
-        flags("at_end_", self.looked.at_end);
-        flags("stands_", self.looked.stands);
-        flags("n", self.looked.negative);
-        flags("shrinks_", self.looked.shrinks);
+        }
         probe.signal("stepping_out", Kind::Bit, u64::from(self.looked.stepping_out));
     }
 }

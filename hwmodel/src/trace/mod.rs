@@ -7,6 +7,7 @@
 mod bench;
 mod clock;
 mod digits;
+mod encoded;
 mod fst;
 mod gtkw;
 mod section;
@@ -21,7 +22,7 @@ pub use fst::Fst;
 pub use gtkw::gtkw;
 pub use signal::{Kind, Probe, Signal, SignalList};
 pub use sucl::sucl;
-pub use tracer::Tracer;
+pub use tracer::{Sampler, Tracer};
 pub use vcd::Vcd;
 
 use std::io;
@@ -40,6 +41,14 @@ pub trait Wave {
     /// # Errors
     /// The output's.
     fn change(&mut self, signal: usize, value: u64) -> io::Result<()>;
+
+    /// Several changes, each a signal's number and its value, in this order.
+    ///
+    /// # Errors
+    /// The output's.
+    fn changes(&mut self, changes: &[(usize, u64)]) -> io::Result<()> {
+        changes.iter().try_for_each(|&(signal, value)| self.change(signal, value))
+    }
 
     /// Writes out what is still held back.
     ///
