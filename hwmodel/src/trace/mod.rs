@@ -4,6 +4,7 @@
 //! value, in one fixed order. The same call declares the list (once) and samples it (every
 //! clock), so the header, the values and the viewer's layout cannot disagree.
 
+mod background;
 mod bench;
 mod clock;
 mod digits;
@@ -16,6 +17,7 @@ mod sucl;
 mod tracer;
 mod vcd;
 
+pub use background::BackgroundWriter;
 pub use bench::Bench;
 pub use clock::Clock;
 pub use fst::Fst;
