@@ -3,7 +3,7 @@
 
 use onepulse_core::Pulse;
 use onepulse_hwmodel::Circuit;
-use onepulse_hwmodel::trace::{Bench, Clock, Fst, SignalList, Tracer, Vcd, Wave};
+use onepulse_hwmodel::trace::{BackgroundWriter, Bench, Clock, Fst, SignalList, Tracer, Vcd, Wave};
 use std::fs::File;
 use std::io::{self, BufWriter};
 use std::path::Path;
@@ -36,7 +36,9 @@ pub fn vcd<C: Circuit<AXES> + Clone, const AXES: usize>(
     clocks: u64,
     file: &Path,
 ) -> io::Result<u64> {
-    traced(loaded, clocks, |list, unit| Vcd::new(BufWriter::new(File::create(file)?), list, unit))
+    traced(loaded, clocks, |list, unit| {
+        Vcd::new(BackgroundWriter::new(File::create(file)?)?, list, unit)
+    })
 }
 
 /// Runs a circuit with its wave in an FST file.

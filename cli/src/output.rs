@@ -1,6 +1,7 @@
 //! Files that appear whole or not at all.
 
 use crate::failure::Failure;
+use onepulse_hwmodel::trace::BackgroundWriter;
 use std::fs;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -43,6 +44,12 @@ impl OutputFile {
     pub(crate) fn writer(&self) -> Result<BufWriter<fs::File>, Failure> {
         let file = self.file.as_file().try_clone().map_err(|error| self.failure(&error))?;
         Ok(BufWriter::with_capacity(1 << 16, file))
+    }
+
+    /// A writer into the file that works beside its caller: for waves, the largest of all files.
+    pub(crate) fn background_writer(&self) -> Result<BackgroundWriter<fs::File>, Failure> {
+        let writer = self.file.as_file().try_clone().and_then(BackgroundWriter::new);
+        writer.map_err(|error| self.failure(&error))
     }
 
     /// An error of this file.

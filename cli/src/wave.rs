@@ -141,7 +141,8 @@ impl Recording<'_> {
         let failure = |error: io::Error| file.failure(&error);
         match self.path.extension().and_then(|extension| extension.to_str()) {
             Some("vcd") => {
-                let wave = Vcd::new(file.writer()?, &list, clock.exponent()).map_err(failure)?;
+                let writer = file.background_writer()?;
+                let wave = Vcd::new(writer, &list, clock.exponent()).map_err(failure)?;
                 record(Tracer::new(wave, &list), bench, first, circuit, clock, self.window)
                     .map_err(failure)?;
             }

@@ -148,11 +148,17 @@ impl Sweep {
     pub(crate) fn look(&mut self, is_zero: [bool; 2]) {
         let [x, y] = is_zero;
         let (towards, away) = if self.towards_is_y { (y, x) } else { (x, y) };
+        if self.crossings == 0 {
+            self.looked = self.see(is_zero);
         // The circle of radius 1 steps through its centre: the quadrant being left is kept there.
-        if self.crossings > 0 && towards && !away {
+        } else if towards && !away {
             self.cross();
+            self.looked = self.see(is_zero);
+        } else {
+            // Until the last quadrant, the other flip-flops keep what they took with this one.
+            self.looked.at_end = self.at_end_now();
+            debug_assert_eq!(self.looked, self.see(is_zero));
         }
-        self.looked = self.see(is_zero);
     }
 
     /// The next quadrant. What was fed away from zero is fed towards it now.
@@ -164,11 +170,17 @@ impl Sweep {
         self.towards_is_y ^= true;
     }
 
+    /// The zero detectors of the end counters.
+    #[inline(always)]
+    const fn at_end_now(&self) -> [bool; 2] {
+        [self.je[0] == 0, self.je[1] == 0]
+    }
+
     /// What a look sees. As gates: a choice would cost a simulation more than both its ways.
     #[inline(always)]
     const fn see(&self, is_zero: [bool; 2]) -> Looked {
         let is_last = self.crossings == 0;
-        let at_end = [self.je[0] == 0, self.je[1] == 0];
+        let at_end = self.at_end_now();
         let back = [self.je[0] < 0, self.je[1] < 0];
         let feeds = self.feeds_negative;
         let runs_back = [is_last & (back[0] != feeds[0]), is_last & (back[1] != feeds[1])];
@@ -190,6 +202,7 @@ impl Sweep {
         self.je[axis] = wrap(self.je[axis] - pulse, self.bits + 2);
     }
 
+    #[inline(always)]
     pub(crate) fn probe(&self, probe: &mut impl Probe) {
         const WORDS: &[&str] = &["I", "II", "III", "IV"];
         probe.signal("quadrant", Kind::Word(WORDS), self.quadrant as u64);
@@ -200,16 +213,17 @@ impl Sweep {
         }
         probe.signal("last", Kind::Bit, u64::from(self.crossings == 0));
         probe.signal("towards_is_y", Kind::Bit, u64::from(self.towards_is_y));
-        let mut flags = |stem, flags: [bool; 2]| {
+        for (stem, flags) in [
+            ("feeds_n", self.feeds_negative),
+            ("at_end_", self.looked.at_end),
+            ("stands_", self.looked.stands),
+            ("n", self.looked.negative),
+            ("shrinks_", self.looked.shrinks),
+        ] {
             for axis in 0..2 {
                 probe.axis_signal(stem, axis, Kind::Bit, u64::from(flags[axis]));
             }
-        };
-        flags("feeds_n", self.feeds_negative);
-        flags("at_end_", self.looked.at_end);
-        flags("stands_", self.looked.stands);
-        flags("n", self.looked.negative);
-        flags("shrinks_", self.looked.shrinks);
+        }
         probe.signal("stepping_out", Kind::Bit, u64::from(self.looked.stepping_out));
     }
 }

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::output::{OutputFile, OutputFolder, write_whole};
 use crate::pulses::write_row;
 use onepulse_core::{Direction, Error, Pulse};
-use onepulse_hwmodel::trace::{Bench, Kind, SignalList, Tracer, Vcd, gtkw, sucl};
+use onepulse_hwmodel::trace::{BackgroundWriter, Bench, Kind, SignalList, Tracer, Vcd, gtkw, sucl};
 use onepulse_hwmodel::{self as hw, Circuit};
 use onepulse_plan::Motion;
 use std::fs::File;
@@ -31,7 +31,7 @@ pub(super) struct Outputs {
 /// `waves.vcd`: the circuits of the method, one scope each, on one time axis.
 #[derive(Debug)]
 struct Waves {
-    tracer: Tracer<Vcd<BufWriter<File>>>,
+    tracer: Tracer<Vcd<BackgroundWriter<File>>>,
     file: OutputFile,
     list: SignalList,
     bench: Bench,
@@ -172,7 +172,7 @@ impl Waves {
         let line = list.add("program_line", Kind::Unsigned(32));
         let circuits = declare_circuits(&mut list, config.bits, method)
             .map_err(|why| Failure::Usage(format!("--bits {}: {why}", config.bits)))?;
-        let writer = file.writer()?;
+        let writer = file.background_writer()?;
         let vcd = Vcd::new(writer, &list, EXPONENT).map_err(|error| file.failure(&error))?;
         Ok(Self {
             tracer: Tracer::new(vcd, &list),

@@ -32,13 +32,19 @@ pub struct Arc {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Registers {
     beat: Beat,
-    /// Integrands, n bits: |y|·2^Q and |x|·2^Q.
-    jv: [u64; 2],
-    /// Remainders, n bits.
-    jr: [u64; 2],
-    /// Sums, n + 1 bits.
-    sum: [u64; 2],
+    /// Of the x axis and of the y axis.
+    integrators: [Integrator; 2],
     sweep: Sweep,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Integrator {
+    /// Integrand, n bits: |y|·2^Q in that of x, |x|·2^Q in that of y.
+    jv: u64,
+    /// Remainder, n bits.
+    jr: u64,
+    /// Sum, n + 1 bits.
+    sum: u64,
 }
 
 /// The beats of a cycle, a clock each.
@@ -82,7 +88,10 @@ impl Arc {
         sweep: Sweep,
         bits: u32,
     ) -> Self {
-        let registers = Registers { beat: Beat::Add, jv, jr: [preset; 2], sum: [0; 2], sweep };
+        let [jvx, jvy] = jv;
+        let x = Integrator { jv: jvx, jr: preset, sum: 0 };
+        let integrators = [x, Integrator { jv: jvy, ..x }];
+        let registers = Registers { beat: Beat::Add, integrators, sweep };
         Self { registers, unit, bits }
     }
 
@@ -100,8 +109,9 @@ impl Arc {
         if q.sweep.is_stepping_out() {
             return [is_correct & !x, is_correct & !y];
         }
-        let carry = [q.sum[0] >> self.bits == 1, q.sum[1] >> self.bits == 1];
-        [is_correct & carry[0] & !x_stands, is_correct & carry[1] & !y_stands]
+        let [x, y] = q.integrators;
+        let (x_carries, y_carries) = (x.sum >> self.bits == 1, y.sum >> self.bits == 1);
+        [is_correct & x_carries & !x_stands, is_correct & y_carries & !y_stands]
     }
 
     /// The clock edge. No beat writes what another of its registers is made of, so they can be
@@ -114,18 +124,23 @@ impl Arc {
                 if !q.sweep.done() {
                     q.beat = Beat::Correct;
                 }
-                q.sum = [q.jr[0] + q.jv[0], q.jr[1] + q.jv[1]];
-                q.sweep.look(is_zero(q.jv));
+                for integrator in &mut q.integrators {
+                    integrator.sum = integrator.jr + integrator.jv;
+                }
+                // A coordinate is zero when the integrand that follows it is.
+                let [x, y] = q.integrators;
+                q.sweep.look([y.jv == 0, x.jv == 0]);
             }
             Beat::Correct => {
                 q.beat = Beat::Add;
                 for axis in 0..2 {
                     if !q.sweep.is_stepping_out() && !q.sweep.stands()[axis] {
-                        q.jr[axis] = q.sum[axis] & mask(self.bits);
+                        let integrator = &mut q.integrators[axis];
+                        integrator.jr = integrator.sum & mask(self.bits);
                     }
                     // A pulse of x moves |x|, which JVy holds, and the other way round.
                     let unit = self.unit as i64 * i64::from(pulse[axis]);
-                    let jv = &mut q.jv[1 - axis];
+                    let jv = &mut q.integrators[1 - axis].jv;
                     *jv = jv.wrapping_add_signed(signed(unit, q.sweep.shrinks(axis)));
                     *jv &= mask(self.bits);
                     q.sweep.count(axis, pulse[axis], q.sweep.is_negative(axis));
@@ -141,12 +156,6 @@ impl Arc {
         let directed = |axis: usize| signed(i64::from(pulse[axis]), sweep.is_negative(axis)) as i8;
         Pulse([directed(0), directed(1)])
     }
-}
-
-/// The zero detectors of the coordinates x and y, from the integrands that follow them.
-#[inline(always)]
-const fn is_zero([jvx, jvy]: [u64; 2]) -> [bool; 2] {
-    [jvy == 0, jvx == 0]
 }
 
 impl Circuit for Arc {
@@ -168,7 +177,8 @@ impl Circuit for Arc {
         self.registers.beat != Beat::Add
     }
 
-    #[inline]
+    // So that a loop of clocks keeps in the processor's registers what it can.
+    #[inline(always)]
     fn clock(&mut self) -> Pulse {
         let pulse = self.pulse();
         let pulses = self.directed(pulse);
@@ -182,11 +192,13 @@ impl Circuit for Arc {
         probe.signal("beat", Kind::Word(WORDS), q.beat as u64);
         probe.signal("unit", Kind::Unsigned(self.bits), self.unit);
         for axis in 0..2 {
-            probe.axis_signal("jv", axis, Kind::Unsigned(self.bits), q.jv[axis]);
-            probe.axis_signal("jr", axis, Kind::Ramp(self.bits), q.jr[axis]);
+            let Integrator { jv, jr, .. } = q.integrators[axis];
+            probe.axis_signal("jv", axis, Kind::Unsigned(self.bits), jv);
+            probe.axis_signal("jr", axis, Kind::Ramp(self.bits), jr);
         }
         for axis in 0..2 {
-            probe.axis_signal("sum", axis, Kind::Unsigned(self.bits + 1), q.sum[axis]);
+            let sum = q.integrators[axis].sum;
+            probe.axis_signal("sum", axis, Kind::Unsigned(self.bits + 1), sum);
         }
         q.sweep.probe(probe);
     }

@@ -194,7 +194,8 @@ impl Circuit for CentredArc {
         self.registers.beat != Beat::AddX
     }
 
-    #[inline]
+    // So that a loop of clocks keeps in the processor's registers what it can.
+    #[inline(always)]
     fn clock(&mut self) -> Pulse {
         let pulses = self.pulses();
         self.edge();

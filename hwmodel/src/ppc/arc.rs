@@ -154,7 +154,8 @@ impl Circuit for Arc {
         self.registers.beat != Beat::Judge
     }
 
-    #[inline]
+    // So that a loop of clocks keeps in the processor's registers what it can.
+    #[inline(always)]
     fn clock(&mut self) -> Pulse {
         let pulses = self.pulses();
         self.edge();

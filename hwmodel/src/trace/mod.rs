@@ -4,9 +4,11 @@
 //! value, in one fixed order. The same call declares the list (once) and samples it (every
 //! clock), so the header, the values and the viewer's layout cannot disagree.
 
+mod background;
 mod bench;
 mod clock;
 mod digits;
+mod encoded;
 mod fst;
 mod gtkw;
 mod section;
@@ -15,13 +17,14 @@ mod sucl;
 mod tracer;
 mod vcd;
 
+pub use background::BackgroundWriter;
 pub use bench::Bench;
 pub use clock::Clock;
 pub use fst::Fst;
 pub use gtkw::gtkw;
 pub use signal::{Kind, Probe, Signal, SignalList};
 pub use sucl::sucl;
-pub use tracer::Tracer;
+pub use tracer::{Sampler, Tracer};
 pub use vcd::Vcd;
 
 use std::io;
@@ -40,6 +43,14 @@ pub trait Wave {
     /// # Errors
     /// The output's.
     fn change(&mut self, signal: usize, value: u64) -> io::Result<()>;
+
+    /// Several changes, each a signal's number and its value, in this order.
+    ///
+    /// # Errors
+    /// The output's.
+    fn changes(&mut self, changes: &[(usize, u64)]) -> io::Result<()> {
+        changes.iter().try_for_each(|&(signal, value)| self.change(signal, value))
+    }
 
     /// Writes out what is still held back.
     ///

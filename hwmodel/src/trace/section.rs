@@ -8,7 +8,7 @@
 //! by since the last one, value), packed into bytes, then by LZ4; the times are kept once for all.
 
 use super::Kind;
-use super::digits::push_binary;
+use super::digits::{LONGEST_BINARY, put_binary};
 
 /// A section that is being filled.
 #[derive(Debug)]
@@ -208,6 +208,12 @@ fn push_digits(frame: &mut Vec<u8>, kind: Kind, value: u64) {
     } else {
         push_binary(frame, value, kind.bits());
     }
+}
+
+fn push_binary(frame: &mut Vec<u8>, value: u64, bits: u32) {
+    let mut digits = [0; LONGEST_BINARY];
+    put_binary(&mut digits, value, bits);
+    frame.extend_from_slice(&digits[..bits as usize]);
 }
 
 /// A number in groups of seven bits, the lowest first; all but the last are marked.

@@ -1,6 +1,7 @@
 //! Value change dump (IEEE 1364), the wave format that every viewer reads.
 
-use super::digits::{Decimal, push_binary};
+use super::digits::Decimal;
+use super::encoded::{Encoded, ROOM};
 use super::{Kind, SignalList, Wave};
 use std::io::{self, Write};
 
@@ -13,24 +14,13 @@ pub struct Vcd<W> {
     time: Option<u64>,
     /// The time in decimal.
     stamp: Decimal,
-    /// Lines that are not written yet.
+    /// Lines that are not written yet, and what they have come to.
     lines: Vec<u8>,
-}
-
-#[derive(Debug)]
-struct Encoded {
-    kind: Kind,
-    /// What ends a change of the signal: its identifier and the line feed, then nothing.
-    ending: [u8; ENDING],
     length: usize,
 }
 
-/// Identifiers of five characters are enough for any `u32` of signals. A fixed number of bytes is
-/// faster to copy than the exact one.
-const ENDING: usize = 8;
-
-/// How many bytes are written at a time.
-const BLOCK: usize = 1 << 16;
+/// How many bytes are written at a time: as many as stay in a first level cache.
+const BLOCK: usize = 1 << 14;
 
 impl<W: Write> Vcd<W> {
     /// Writes the header; the time axis counts units of 10^`exponent` seconds (0 to −15).
@@ -72,8 +62,8 @@ impl<W: Write> Vcd<W> {
         }
         header.upscope()?;
         header.enddefinitions()?;
-        let lines = Vec::with_capacity(2 * BLOCK);
-        Ok(Self { out, signals, time: None, stamp: Decimal::ZERO, lines })
+        let lines = vec![0; BLOCK];
+        Ok(Self { out, signals, time: None, stamp: Decimal::ZERO, lines, length: 0 })
     }
 
     /// The output of a finished wave.
@@ -81,21 +71,17 @@ impl<W: Write> Vcd<W> {
         self.out
     }
 
-    fn write_lines(&mut self) -> io::Result<()> {
-        self.out.write_all(&self.lines)?;
-        self.lines.clear();
-        Ok(())
+    /// Makes room for so many lines, which a block has room for.
+    #[inline(always)]
+    fn make_room(&mut self, lines: usize) -> io::Result<()> {
+        if self.lines.len() - self.length < lines * ROOM { self.write_lines() } else { Ok(()) }
     }
-}
 
-impl Encoded {
-    fn new(kind: Kind, id: &str) -> io::Result<Self> {
-        let text = format!("{}{id}\n", if kind == Kind::Bit { "" } else { " " });
-        let mut ending = [0; ENDING];
-        let length = text.len();
-        let room = ending.get_mut(..length).ok_or(io::ErrorKind::InvalidInput)?;
-        room.copy_from_slice(text.as_bytes());
-        Ok(Self { kind, ending, length })
+    #[cold]
+    fn write_lines(&mut self) -> io::Result<()> {
+        self.out.write_all(&self.lines[..self.length])?;
+        self.length = 0;
+        Ok(())
     }
 }
 
@@ -104,36 +90,34 @@ impl<W: Write> Wave for Vcd<W> {
         if self.time.is_some_and(|last| time <= last) {
             return Err(io::Error::other("the time of a wave cannot run backwards"));
         }
-        self.stamp.add(time - self.time.unwrap_or(0));
         self.time = Some(time);
-        if self.lines.len() >= BLOCK {
-            self.write_lines()?;
+        self.stamp.set(time);
+        self.make_room(1)?;
+        if let Some([mark, room @ ..]) = self.lines[self.length..].first_chunk_mut::<ROOM>() {
+            *mark = b'#';
+            let digits = self.stamp.put(room);
+            room[digits] = b'\n';
+            self.length += digits + 2;
         }
-        self.lines.push(b'#');
-        self.stamp.push(&mut self.lines);
-        self.lines.push(b'\n');
         Ok(())
     }
 
     fn change(&mut self, signal: usize, value: u64) -> io::Result<()> {
-        let Encoded { kind, ending, length } = &self.signals[signal];
-        let lines = &mut self.lines;
-        match *kind {
-            Kind::Bit => lines.push(b'0' + (value & 1) as u8),
-            Kind::Unsigned(bits) | Kind::Ramp(bits) | Kind::Signed(bits) => {
-                lines.push(b'b');
-                // Leading zeros may be left out.
-                let bits = bits.min(64 - (value & low_bits(bits)).leading_zeros()).max(1);
-                push_binary(lines, value, bits);
+        self.changes(&[(signal, value)])
+    }
+
+    fn changes(&mut self, changes: &[(usize, u64)]) -> io::Result<()> {
+        for changes in changes.chunks(BLOCK / ROOM) {
+            self.make_room(changes.len())?;
+            let Self { signals, lines, .. } = self;
+            let mut length = self.length;
+            for &(signal, value) in changes {
+                if let Some(room) = lines[length..].first_chunk_mut() {
+                    length += signals[signal].put(value, room);
+                }
             }
-            Kind::Word(words) => {
-                lines.push(b's');
-                lines.extend_from_slice(words.get(value as usize).unwrap_or(&"?").as_bytes());
-            }
+            self.length = length;
         }
-        let end = lines.len() + length;
-        lines.extend_from_slice(ending);
-        lines.truncate(end);
         Ok(())
     }
 
@@ -157,8 +141,4 @@ fn timescale(exponent: i8) -> io::Result<(u32, vcd::TimescaleUnit)> {
             format!("a VCD time axis cannot count units of 10^{exponent} s"),
         )),
     }
-}
-
-const fn low_bits(bits: u32) -> u64 {
-    u64::MAX >> (64 - bits)
 }

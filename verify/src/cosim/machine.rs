@@ -119,7 +119,7 @@ impl Plan<'_> {
             if let Some(wave) = &mut wave {
                 wave.clock(|tracer| {
                     if clock > 0 {
-                        machine.probe(tracer.from(1));
+                        machine.probe(&mut tracer.from(1));
                     }
                 });
             }
