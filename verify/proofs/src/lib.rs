@@ -15,3 +15,5 @@
 
 mod ppc_line;
 mod product;
+#[cfg(feature = "wrong")]
+mod wrong;
