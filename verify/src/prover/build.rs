@@ -15,6 +15,8 @@ pub(crate) struct Program {
     pub(crate) module: Module,
     /// For CBMC.
     pub(crate) goto: PathBuf,
+    /// The loops that compare, copy and fill memory byte by byte, as CBMC names them.
+    pub(crate) memory_loops: Vec<String>,
     /// Where files may be left.
     pub(crate) folder: PathBuf,
 }
@@ -68,5 +70,34 @@ pub(crate) fn build(wrong: bool) -> Result<Program, Error> {
     output(
         Command::new(find("goto-cc")?).arg("-I").arg(&folder).arg(&checked).arg("-o").arg(&goto),
     )?;
-    Ok(Program { module, goto, folder })
+    let loops = output(Command::new(find("cbmc")?).arg("--show-loops").arg(&goto))?;
+    Ok(Program { module, goto, memory_loops: memory_loops(&loops), folder })
+}
+
+/// Of the lines `Loop FUNCTION.NUMBER:` those of Rust's own memory functions. They run once a byte,
+/// which no harness should have to know of.
+fn memory_loops(loops: &str) -> Vec<String> {
+    let is_memory = |name: &&str| {
+        let function = name.rsplit_once('.').map_or(*name, |(function, _)| function);
+        let function = function.trim_start_matches("w2c_proofs_");
+        ["memcmp", "bcmp", "memcpy", "memmove", "memset"].contains(&function)
+    };
+    loops
+        .lines()
+        .filter_map(|line| line.strip_prefix("Loop ")?.strip_suffix(':'))
+        .filter(is_memory)
+        .map(str::to_owned)
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::memory_loops;
+
+    #[test]
+    fn loops_over_memory_are_told_from_others() {
+        let printed = "\nLoop w2c_proofs_memcmp.0:\n  file checked.c line 9\n\n\
+            Loop w2c_proofs_proof0x3Aa_0.1:\n  file\n\nLoop w2c_proofs_memcmp_like.0:\n";
+        assert_eq!(memory_loops(printed), ["w2c_proofs_memcmp.0"]);
+    }
 }

@@ -83,6 +83,8 @@ fn cbmc(
 ) -> Result<String, String> {
     let tool = |name| find(name).map_err(|why| why.to_string());
     let unwind = harness.unwind.unwrap_or(UNWIND).to_string();
+    let bound = |name: &String| format!("{name}:{}", STACK_BYTES + 1);
+    let memory_loops = program.memory_loops.iter().map(bound).collect::<Vec<_>>().join(",");
     let mut command = Command::new(tool("cbmc")?);
     command
         .arg(&program.goto)
@@ -94,6 +96,7 @@ fn cbmc(
         .args(["--unwind", &unwind])
         // Each byte of the stack is a variable.
         .args(["--max-field-sensitivity-array-size", &STACK_BYTES.to_string()])
+        .args(["--unwindset", &memory_loops])
         .args(more)
         .env("PATH", search_path());
     match solver(harness) {

@@ -135,7 +135,7 @@ fn prove_harnesses(options: &Options) -> Result<bool, Error> {
         return Err(Error::Options(format!("there is no harness {unknown}")));
     }
     let runs = prover.run(&options.harness, options);
-    report::explain(&runs, false);
+    report::explain(&runs);
     Ok(runs.values().all(|run| run.outcome.holds()))
 }
 
@@ -158,7 +158,7 @@ fn prove_claims(options: &Options) -> Result<bool, Error> {
         .filter(|harness| asked.iter().any(|claim| claim.has(harness)))
         .collect();
     let runs = prover.run(&wanted, options);
-    report::explain(&runs, false);
+    report::explain(&runs);
 
     let discharged: Vec<Discharged<'_>> =
         asked.iter().map(|claim| Discharged::new(claim, &runs)).collect();

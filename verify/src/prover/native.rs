@@ -79,12 +79,9 @@ impl Tests {
         }
     }
 
-    /// What the harness says to a counterexample.
-    pub(crate) fn replay(&self, harness: &str, values: &[u64]) -> String {
-        match self.run(harness, Some(values)) {
-            Ok((_, said)) => said,
-            Err(why) => why,
-        }
+    /// Whether the harness holds for the values of a counterexample, and what it says.
+    pub(crate) fn replay(&self, harness: &str, values: &[u64]) -> Result<(bool, String), String> {
+        self.run(harness, Some(values))
     }
 
     fn run(&self, harness: &str, values: Option<&[u64]>) -> Result<(bool, String), String> {
@@ -101,13 +98,24 @@ impl Tests {
         let output = command.output().map_err(|why| why.to_string())?;
         let said = [output.stdout, output.stderr].concat();
         let text = String::from_utf8_lossy(&said);
-        // The lines of the test runner itself say no more than the exit status.
-        let lines = text.lines().filter(|line| {
-            let is_runner = line.starts_with("running ") || line.starts_with("test result:");
-            !is_runner && !line.trim().is_empty() && !line.starts_with("note: run with")
-        });
+        let lines = text.lines().filter(|line| !is_of_the_runner(line, test));
         Ok((output.status.success(), lines.collect::<Vec<_>>().join("\n")))
     }
+}
+
+/// Whether a line says no more than that the test ran and with what exit status.
+fn is_of_the_runner(line: &str, test: &str) -> bool {
+    let line = line.trim();
+    let beginnings =
+        ["running ", "test result:", "note: run with", "failures:", "error: test failed"];
+    line.is_empty()
+        || line == "."
+        || line == "F"
+        || line == test
+        || line.ends_with("--- FAILED")
+        // Values that were given are not drawn anew.
+        || line.ends_with("ONEPULSE_REPLAY=")
+        || beginnings.iter().any(|beginning| line.starts_with(beginning))
 }
 
 /// The values as the environment takes them.

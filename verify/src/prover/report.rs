@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::fs;
 
 /// Explains all harnesses that do not hold; counterexamples are run once more, natively.
-pub(crate) fn explain(runs: &BTreeMap<String, Run>, wrong: bool) {
+pub(crate) fn explain(runs: &BTreeMap<String, Run>) {
     let mut tests = None;
     for (name, run) in runs {
         match &run.outcome {
@@ -20,11 +20,14 @@ pub(crate) fn explain(runs: &BTreeMap<String, Run>, wrong: bool) {
                     continue;
                 }
                 println!("  with the values {}", joined(&counterexample.values));
-                let tests = tests.get_or_insert_with(|| Tests::build(wrong));
+                let tests = tests.get_or_insert_with(|| Tests::build(false));
                 match tests {
                     Ok(tests) => {
                         println!("  natively, {}", replay_command(name, &counterexample.values));
-                        for line in tests.replay(name, &counterexample.values).lines() {
+                        let said = match tests.replay(name, &counterexample.values) {
+                            Ok((_, said)) | Err(said) => said,
+                        };
+                        for line in said.lines() {
                             println!("  | {line}");
                         }
                     }

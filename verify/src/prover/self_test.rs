@@ -2,6 +2,7 @@
 
 use super::Error;
 use super::build::build;
+use super::native::Tests;
 use super::outcome::Outcome;
 use super::{cbmc, progress};
 use std::time::Duration;
@@ -26,12 +27,18 @@ pub(crate) fn run(jobs: usize, limit: Duration) -> Result<bool, Error> {
     let program = build(true)?;
     let names = EXPECTED.map(|(name, ..)| name.to_owned());
     let runs = progress::run_all(&names, jobs, |name| cbmc::check_named(&program, name, limit));
+    let tests = Tests::build(true)?;
     let mut is_right = true;
     for (name, word, part) in EXPECTED {
         let Some(run) = runs.get(name) else { continue };
         let reason = match &run.outcome {
             Outcome::Proved => String::new(),
             Outcome::Fails(counterexample) => {
+                let again = tests.replay(name, &counterexample.values);
+                if !matches!(again, Ok((false, _))) {
+                    println!("{name}: its counterexample natively: {again:?}");
+                    is_right = false;
+                }
                 counterexample.location.as_ref().map_or_else(String::new, ToString::to_string)
             }
             Outcome::Vacuous(why) | Outcome::CouldNotRun(why) => why.clone(),
