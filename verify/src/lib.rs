@@ -21,6 +21,7 @@ mod lattice;
 mod mutant;
 pub mod ppc_arc;
 pub mod ppc_line;
+pub mod prover;
 pub mod rtl_formal;
 
 pub use lattice::circles;

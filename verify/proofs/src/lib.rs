@@ -18,3 +18,5 @@ mod ppc_arc;
 mod ppc_line;
 mod product;
 mod same;
+#[cfg(feature = "wrong")]
+mod wrong;
