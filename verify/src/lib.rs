@@ -22,5 +22,6 @@ mod mutant;
 pub mod ppc_arc;
 pub mod ppc_line;
 pub mod rtl_formal;
+pub mod sweep;
 
 pub use lattice::circles;

@@ -1,7 +1,7 @@
 //! The checks that are programs of their own.
 
 use clap::{Parser, Subcommand};
-use onepulse_verify::{cosim, rtl_formal};
+use onepulse_verify::{cosim, rtl_formal, sweep};
 use std::process::ExitCode;
 
 #[derive(Parser)]
@@ -18,12 +18,15 @@ enum Check {
     Cosim(cosim::Options),
     /// The properties of the Verilog twins, by induction (needs Yosys and Yices)
     RtlFormal(rtl_formal::Options),
+    /// Every curve of narrow registers: what holds, and what does not
+    Sweep(sweep::Options),
 }
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().check {
         Check::Cosim(options) => cosim::run(&options),
         Check::RtlFormal(options) => rtl_formal::run(&options),
+        Check::Sweep(options) => sweep::run(&options),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

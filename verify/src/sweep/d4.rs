@@ -1,0 +1,217 @@
+//! D4: arcs by digital integration end exactly, and always end.
+
+use super::driver::{Driver, Findings, Item};
+use super::outcome::Outcome;
+use super::rejected::StaggeredFullLoad;
+use super::rings::{DIRECTIONS, all_arcs};
+use super::table::{Table, count};
+use super::tally::Tally;
+use super::walk::{Drawing, walk};
+use onepulse_core::dda::{Arc, CentredArc, Preset, Radix, Register};
+use onepulse_core::{Direction, Error};
+use std::ops::RangeInclusive;
+
+/// What is swept.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Parameters {
+    /// n, for all arcs.
+    pub bits: RangeInclusive<u32>,
+    /// n, for quarter circles.
+    pub circle_bits: RangeInclusive<u32>,
+}
+
+impl Default for Parameters {
+    fn default() -> Self {
+        Self { bits: 2..=7, circle_bits: 2..=10 }
+    }
+}
+
+/// A circuit that the core offers.
+#[derive(Clone, Copy)]
+struct Offered {
+    /// None for the centred staggered circuit, which has its own.
+    preset: Option<Preset>,
+    is_normalized: bool,
+}
+
+/// Where the starving circuit is counted: quarter circles of R = 1 … 2ⁿ − 1.
+const STARVING_BITS: RangeInclusive<u32> = 3..=10;
+
+const STARVING: &str = "rejected: staggered, full load";
+
+impl Offered {
+    fn all() -> impl Iterator<Item = Self> {
+        let presets = [Some(Preset::Zero), Some(Preset::Half), Some(Preset::Full), None];
+        presets
+            .into_iter()
+            .flat_map(|preset| [false, true].map(|is_normalized| Self { preset, is_normalized }))
+    }
+
+    fn name(self) -> String {
+        let circuit = match self.preset {
+            Some(Preset::Zero) => "textbook, zero",
+            Some(Preset::Half) => "textbook, half load",
+            Some(Preset::Full) => "textbook, full load",
+            None => "centred staggered",
+        };
+        format!("{circuit}{}", if self.is_normalized { ", normalized" } else { "" })
+    }
+
+    /// R² where even the shortest arc needs a wider register.
+    fn most(self, bits: u32) -> i64 {
+        let radius = match self.preset {
+            Some(_) => (1_i64 << bits) - 1,
+            None => (1_i64 << (bits - 1)) - 1,
+        };
+        radius.pow(2)
+    }
+
+    /// Draws an arc, if the constructor accepts it for this width.
+    fn draw(self, drawing: &Drawing, tally: &mut Tally) {
+        let Drawing { start, end, direction, bits, .. } = *drawing;
+        let drawn = Register::new(Radix::Binary, bits).and_then(|register| {
+            let normalize = self.is_normalized;
+            match self.preset {
+                Some(preset) => {
+                    let arc = Arc::new(start, end, direction, register, preset, normalize)?;
+                    walk(arc, &Drawing { shift: arc.shift(), ..*drawing }, tally);
+                }
+                None => {
+                    let arc = CentredArc::new(start, end, direction, register, normalize)?;
+                    walk(arc, &Drawing { shift: arc.shift(), ..*drawing }, tally);
+                }
+            }
+            Ok(())
+        });
+        match drawn {
+            Ok(()) | Err(Error::RegisterTooNarrow { .. }) => {}
+            Err(why) => tally.fault(drawing.curve(), bits, why.to_string()),
+        }
+    }
+
+    /// Quarter circles between the axes, in every quadrant and both senses.
+    fn quarters(self, bits: u32) -> Item {
+        Item::new(format!("quarters {} n={bits} ", self.name()), move || {
+            let mut tally = Tally::default();
+            for r in 1..=self.most(bits).isqrt() as i32 {
+                let axes = [[r, 0], [0, r], [-r, 0], [0, -r]];
+                for at in 0..4 {
+                    for direction in DIRECTIONS {
+                        let to = match direction {
+                            Direction::Ccw => at + 1,
+                            Direction::Cw => at + 3,
+                        };
+                        let [start, end] = [axes[at], axes[to % 4]];
+                        self.draw(&Drawing { start, end, direction, bits, shift: 0 }, &mut tally);
+                    }
+                }
+            }
+            tally
+        })
+    }
+}
+
+/// The items of the sweep.
+fn items(parameters: &Parameters) -> Vec<Item> {
+    let mut items = Vec::new();
+    for circuit in Offered::all() {
+        items.extend(parameters.circle_bits.clone().map(|bits| circuit.quarters(bits)));
+        for bits in parameters.bits.clone() {
+            let draw = move |drawing: &Drawing, tally: &mut Tally| circuit.draw(drawing, tally);
+            let name = format!("arcs {}", circuit.name());
+            items.extend(all_arcs(&name, bits, circuit.most(bits), draw));
+        }
+    }
+    items.extend(STARVING_BITS.map(|bits| {
+        Item::new(format!("{STARVING} n={bits} "), move || {
+            let radii = 1..1_u64 << bits;
+            let curves = radii.end - 1;
+            let starving = radii.filter(|&r| StaggeredFullLoad::new(r, bits).starves()).count();
+            Tally { curves, faults: starving as u64, ..Tally::default() }
+        })
+    }));
+    items
+}
+
+/// Runs the sweep.
+///
+/// # Errors
+/// Files of finished items that cannot be used.
+pub fn run(parameters: &Parameters, driver: &Driver) -> Result<Outcome, String> {
+    let Parameters { bits, circle_bits } = parameters;
+    let findings =
+        driver.run(&format!("D4 bits {bits:?} circle-bits {circle_bits:?}"), &items(parameters))?;
+    let mut about = Tally::default();
+    let mut of = |kind: &str, circuit: Offered| {
+        let mut sum = Tally::default();
+        let bits = if kind == "arcs" { bits } else { circle_bits };
+        for bits in bits.clone() {
+            sum.add(&findings.of(&format!("{kind} {} n={bits} ", circuit.name())));
+        }
+        about.add(&sum);
+        sum
+    };
+    let figures: Vec<_> = [
+        ("quarters", format!("Quarter circles between the axes, every quadrant, both senses, n = {circle_bits:?}:")),
+        ("arcs", format!("All arcs between lattice points of one circle, both senses, n = {bits:?}:")),
+    ]
+    .into_iter()
+    .map(|(kind, title)| (title, Offered::all().map(|circuit| (circuit, of(kind, circuit))).collect::<Vec<_>>()))
+    .collect();
+
+    let statement = format!(
+        "Arcs by digital integration end exactly on their end point, and never wait 2^(n−Q) cycles \
+         for a pulse: every lattice circle that the constructor accepts, all arcs for n = {bits:?}, \
+         quarter circles for n = {circle_bits:?}."
+    );
+    let mut outcome = Outcome::new("D4", statement, &findings, &about);
+    for (title, rows) in figures {
+        let header = [
+            "circuit",
+            "arcs",
+            "at fault",
+            "longest wait, 2^(n−Q)",
+            "longest arc, 2^(n−Q)",
+            "stepped out",
+        ];
+        let mut table = Table::new(&title, &header);
+        for (circuit, tally) in rows {
+            table.row([
+                circuit.name(),
+                count(tally.curves),
+                count(tally.faults),
+                format!("{:.3}", tally.wait.ratio()),
+                format!("{:.2}", tally.longest.ratio()),
+                count(tally.stepped_out),
+            ]);
+            outcome.demand_no_fault(&circuit.name(), &tally);
+            outcome.demand(tally.curves > 0 || !findings.is_complete(), || {
+                format!("{}: no arc was drawn", circuit.name())
+            });
+        }
+        outcome.tables.push(table);
+    }
+    outcome.remarks.push(
+        "\"Stepped out\" are the arcs whose axes both came to stand, or one on a coordinate axis, \
+         before the end point: there the circuit's last pulses are counted out, not integrated."
+            .to_owned(),
+    );
+    starving(&mut outcome, &findings);
+    Ok(outcome)
+}
+
+/// Why the core does not offer every combination.
+fn starving(outcome: &mut Outcome, findings: &Findings) {
+    let title = "The rejected combination: the textbook's circuit staggered and fully loaded, quarter \
+                 circles from (R, 0), R = 1 … 2ⁿ − 1:";
+    let mut table = Table::new(title, &["n", "radii", "starve", "measured earlier"]);
+    for bits in STARVING_BITS {
+        let tally = findings.of(&format!("{STARVING} n={bits} "));
+        let earlier = if bits == 10 { "382 of 1022" } else { "" };
+        table.row([bits.to_string(), count(tally.curves), count(tally.faults), earlier.to_owned()]);
+        outcome.demand(tally.faults > 0 || !findings.is_complete(), || {
+            format!("{STARVING}, n = {bits}: does not starve, and was rejected for it")
+        });
+    }
+    outcome.tables.push(table);
+}
