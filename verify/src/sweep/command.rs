@@ -239,4 +239,37 @@ mod tests {
         assert_eq!(ids("all").unwrap().0.len(), 6);
         assert!(ids("D7").is_err());
     }
+
+    #[test]
+    fn the_sweeps_hold_at_narrow_widths() {
+        let driver = Driver::default();
+        let [bits, circle_bits] = [2..=4, 2..=6];
+        let outcomes = [
+            d4::run(&d4::Parameters { bits, circle_bits }, &driver),
+            d5::run(&d5::Parameters { bits: 3..=5 }, &driver),
+            d6::run(&d6::Parameters { bits: 4..=5, circle_bits: 4..=6 }, &driver),
+            d6_small::run(&d6_small::Parameters { radius: 5, widths: 2 }, &driver),
+            b2::run(&b2::Parameters { bits: 1..=6, closed_bits: 2..=12 }, &driver),
+            runs::run(&runs::Parameters { bits: 4, radius: 9, coordinate: 12 }, &driver),
+        ];
+        for outcome in outcomes {
+            let outcome = outcome.unwrap();
+            assert!(outcome.passed && outcome.is_complete, "{outcome}");
+            assert!(outcome.curves > 0 && outcome.cycles > 0);
+            // The textbook's arcs and the rate multiplier's lines stray farther.
+            let strays = matches!(outcome.id, "D4" | "D5" | "B2");
+            assert_eq!(outcome.worst_deviation > 1.0, strays, "{outcome}");
+            assert_eq!(outcome.counterexample.is_some(), strays, "{outcome}");
+        }
+    }
+
+    #[test]
+    fn a_counterexample_that_is_not_found_is_a_failure() {
+        let driver = Driver::default();
+        let d5 = d5::run(&d5::Parameters { bits: 3..=4 }, &driver).unwrap();
+        let b2 = b2::run(&b2::Parameters { bits: 1..=4, closed_bits: 2..=4 }, &driver).unwrap();
+        for outcome in [d5, b2] {
+            assert!(!outcome.passed && outcome.failures.len() == 1, "{outcome}");
+        }
+    }
 }

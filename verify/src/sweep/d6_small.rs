@@ -3,7 +3,7 @@
 use super::driver::{Driver, Item};
 use super::outcome::Outcome;
 use super::rings::{DIRECTIONS, circles};
-use super::table::{Table, count, pulses};
+use super::table::{Table, count, place, worst};
 use super::tally::Tally;
 use super::walk::{Drawing, walk};
 use onepulse_core::dda::{CentredArc, Radix, Register};
@@ -21,7 +21,7 @@ pub struct Parameters {
 
 impl Default for Parameters {
     fn default() -> Self {
-        Self { radius: 64, widths: 4 }
+        Self { radius: 64, widths: 5 }
     }
 }
 
@@ -38,7 +38,7 @@ fn draw(start: [i32; 2], direction: Direction, bits: u32, tally: &mut Tally) -> 
 }
 
 fn name(more: u32) -> String {
-    format!("full circles, {more} bits more")
+    format!("full circles {more} bits more")
 }
 
 /// Runs the sweep.
@@ -84,12 +84,7 @@ pub fn run(parameters: &Parameters, driver: &Driver) -> Result<Outcome, String> 
     let mut table = Table::new("Worst radial deviation by width:", &header);
     for more in 0..widths {
         let tally = findings.of(&name(more));
-        table.row([
-            format!("{}", 4 + more),
-            count(tally.curves),
-            pulses(tally.deviation()),
-            tally.worst.map_or(String::new(), |case| case.to_string()),
-        ]);
+        table.row([format!("{}", 4 + more), count(tally.curves), worst(&tally), place(&tally)]);
     }
     outcome.tables.push(table);
     Ok(outcome)

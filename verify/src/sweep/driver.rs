@@ -114,11 +114,13 @@ impl Findings {
         self.0.iter().all(|(_, tally)| tally.is_some())
     }
 
-    /// The findings of all items whose name begins so, put together in the items' order.
-    pub(crate) fn of(&self, beginning: &str) -> Tally {
+    /// The findings of all items whose name begins with these words, put together in the items' order.
+    pub(crate) fn of(&self, words: &str) -> Tally {
         let mut sum = Tally::default();
         for (name, tally) in &self.0 {
-            if let Some(tally) = tally.as_ref().filter(|_| name.starts_with(beginning)) {
+            let rest = name.strip_prefix(words);
+            let is_meant = rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(' '));
+            if let Some(tally) = tally.as_ref().filter(|_| is_meant) {
                 sum.add(tally);
             }
         }
@@ -173,6 +175,14 @@ mod tests {
         for wrong in ["0/3", "4/3", "1/0", "1", "a/b"] {
             assert!(wrong.parse::<Shard>().is_err(), "{wrong}");
         }
+    }
+
+    #[test]
+    fn items_are_found_by_whole_words() {
+        let named = |name: &str| (name.to_owned(), Some(Tally { curves: 1, ..Tally::default() }));
+        let findings = Findings(vec![named("a n=1"), named("a n=1 R=2"), named("a n=10")]);
+        assert_eq!(findings.of("a n=1").curves, 2);
+        assert_eq!(findings.of("a").curves, 3);
     }
 
     #[test]

@@ -1,6 +1,8 @@
 //! Tables: aligned text, which is Markdown too.
 
+use super::tally::Tally;
 use std::fmt;
+use std::ops::RangeInclusive;
 
 /// A table of figures.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,12 +57,31 @@ pub(crate) fn pulses(deviation: f64) -> String {
     format!("{deviation:.3}")
 }
 
+/// The largest deviation, if one was taken.
+pub(crate) fn worst(tally: &Tally) -> String {
+    tally.worst.map_or("–".to_owned(), |case| pulses(case.deviation()))
+}
+
+/// Where the largest deviation is.
+pub(crate) fn place(tally: &Tally) -> String {
+    tally.worst.map_or("–".to_owned(), |case| case.to_string())
+}
+
+/// A range of widths.
+pub(crate) fn widths(bits: &RangeInclusive<u32>) -> String {
+    if bits.start() == bits.end() {
+        bits.start().to_string()
+    } else {
+        format!("{} … {}", bits.start(), bits.end())
+    }
+}
+
 /// A large number, its digits in groups of three.
 pub(crate) fn count(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();
     for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) {
+        if place > 0 && (digits.len() - place) % 3 == 0 {
             text.push(' ');
         }
         text.push(digit);

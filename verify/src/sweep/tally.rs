@@ -87,6 +87,8 @@ impl Tally {
     /// Takes in a curve's fault.
     pub(crate) fn fault(&mut self, curve: Curve, bits: u32, why: String) {
         self.faults += 1;
+        // "; " ends a field of the line that is written.
+        let why = why.replace("; ", ", ");
         self.first_fault.get_or_insert(Fault { curve, bits, why });
     }
 
@@ -187,7 +189,7 @@ mod tests {
         tally.longest = Share { part: 7, whole: 8 };
         tally.wait = Share { part: 1, whole: 4 };
         tally.stray(&[Case { curve, bits: 4, cycle: 2, point: [0, 2] }]);
-        tally.fault(curve, 4, "stops at 0,2".to_owned());
+        tally.fault(curve, 4, "stops; at 0,2".to_owned());
         assert_eq!((tally.over, tally.faults), (1, 1));
         assert_eq!(Tally::parse(&tally.to_string()), Some(tally));
         assert_eq!(Tally::parse("curves = many"), None);

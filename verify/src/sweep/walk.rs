@@ -75,8 +75,8 @@ struct Extreme {
 /// ever. (The arcs of the core step out instead.) The pulses are limited too: there are at most five
 /// pieces between coordinate axes, in each of them both coordinates are monotone and smaller than
 /// 2ⁿ, which makes at most 2·2ⁿ pulses a piece, and as many for stepping out. Hence an arc has ended
-/// after at most 12·2ⁿ·2^(n−Q) cycles, or it is at fault; in fact it takes little more than the
-/// 2π·2^(n−Q) of its turn.
+/// after at most 12·2ⁿ·2^(n−Q) cycles, or it is at fault; in fact a full turn takes some 2π·2^(n−Q)
+/// cycles, and at most 10.4·2^(n−Q) where small radii wait long.
 pub(crate) fn walk(mut circuit: impl Circuit, drawing: &Drawing, tally: &mut Tally) {
     let Drawing { start, end, bits, shift, .. } = *drawing;
     let wait_limit = 1_u64 << (bits - shift);

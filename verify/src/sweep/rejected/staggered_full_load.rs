@@ -5,18 +5,22 @@
 ///
 /// Fully loaded, x arrives early. At x = 0 nothing is added to y any more: if y has not come to R by
 /// then, it starves. The core steps out of that; the circuit alone cannot, so it is not offered.
+///
+/// Normalized, the integrands are shifted left until R has its highest bit at the top.
 pub(crate) struct StaggeredFullLoad {
     x: u64,
     y: u64,
     jr: [u64; 2],
     modulus: u64,
+    shift: u32,
     radius: u64,
 }
 
 impl StaggeredFullLoad {
-    pub(crate) fn new(radius: u64, bits: u32) -> Self {
+    pub(crate) fn new(radius: u64, bits: u32, normalize: bool) -> Self {
         let modulus = 1 << bits;
-        Self { x: radius, y: 0, jr: [modulus - 1; 2], modulus, radius }
+        let shift = if normalize { bits - 1 - radius.ilog2() } else { 0 };
+        Self { x: radius, y: 0, jr: [modulus - 1; 2], modulus, shift, radius }
     }
 
     /// Draws on until the end point or until nothing can move any more; whether it starved.
@@ -41,7 +45,7 @@ impl StaggeredFullLoad {
     }
 
     fn add(&mut self, axis: usize, integrand: u64) -> u64 {
-        let sum = self.jr[axis] + integrand;
+        let sum = self.jr[axis] + (integrand << self.shift);
         self.jr[axis] = sum % self.modulus;
         sum / self.modulus
     }

@@ -20,6 +20,22 @@ impl UncentredStaggered {
         let jr = [Accumulator::half_loaded_and(0, bits); 2];
         Ok(Self { jr, turn: turn(direction), tracker: Tracker::new(start, end, direction)? })
     }
+
+    /// Whether a full circle from (R, 0) comes back to (R, 0) when nothing stops it there.
+    pub(crate) fn closes(radius: i64, bits: u32) -> bool {
+        let mut jr = [Accumulator::half_loaded_and(0, bits); 2];
+        let [mut x, mut y] = [radius, 0];
+        // A turn takes 2π·2ⁿ cycles.
+        for _ in 0..8_u64 << bits {
+            x += jr[0].add(-y);
+            let pulse = jr[1].add(x);
+            y += pulse;
+            if pulse == 1 && y == 0 {
+                return x == radius;
+            }
+        }
+        false
+    }
 }
 
 impl Circuit for UncentredStaggered {

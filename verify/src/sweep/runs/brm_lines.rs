@@ -11,7 +11,7 @@ const NAME: &str = "BRM lines";
 pub(super) fn machine(bits: u32) -> Machine {
     let draw = move |end, tally: &mut Tally| draw(end, bits, tally);
     let items = every_end(NAME, (1 << bits) - 1, draw);
-    Machine { name: NAME.to_owned(), bound: "|x_e| and |y_e| pulses in 2ⁿ clocks", items }
+    Machine { name: NAME.to_owned(), bound: "as many pulses as the values, 2ⁿ clocks", items }
 }
 
 fn draw(end: [i32; 2], bits: u32, tally: &mut Tally) {

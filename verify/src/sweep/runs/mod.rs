@@ -12,7 +12,7 @@ mod ppc_off_circle;
 use super::curve::{Case, Curve};
 use super::driver::{Driver, Item};
 use super::outcome::Outcome;
-use super::table::{Table, count, pulses};
+use super::table::{Table, count, worst};
 use super::tally::Tally;
 use onepulse_core::Pulse;
 
@@ -84,7 +84,7 @@ fn every_end(
     draw: impl Fn([i32; 2], &mut Tally) + Copy + Send + Sync + 'static,
 ) -> Vec<Item> {
     let item = |x: i32| {
-        Item::new(format!("{name} x={x} "), move || {
+        Item::new(format!("{name} x={x}"), move || {
             let mut tally = Tally::default();
             for y in -most..=most {
                 draw([x, y], &mut tally);
@@ -113,7 +113,7 @@ pub fn run(parameters: &Parameters, driver: &Driver) -> Result<Outcome, String> 
     let findings =
         driver.run(&format!("RUNS bits {bits} radius {radius} coordinate {coordinate}"), &items)?;
 
-    let of = |machine: &Machine| findings.of(&format!("{} ", machine.name));
+    let of = |machine: &Machine| findings.of(&machine.name);
     let mut about = Tally::default();
     for machine in &machines {
         about.add(&of(machine));
@@ -133,7 +133,7 @@ pub fn run(parameters: &Parameters, driver: &Driver) -> Result<Outcome, String> 
             machine.bound.to_owned(),
             count(tally.curves),
             count(tally.cycles),
-            pulses(tally.deviation()),
+            worst(&tally),
             count(tally.faults),
         ]);
         outcome.demand_no_fault(&machine.name, &tally);

@@ -9,7 +9,7 @@ use onepulse_core::{EndRule, ppc};
 const NAME: &str = "PPC lines";
 
 pub(super) fn machine(most: i32) -> Machine {
-    let bound = "≤ 1, |x_e| + |y_e| steps";
+    let bound = "≤ 1, a step for each pulse";
     Machine { name: NAME.to_owned(), bound, items: every_end(NAME, most, draw) }
 }
 

@@ -7,7 +7,7 @@ use crate::sweep::tally::Tally;
 use crate::sweep::walk::Drawing;
 use onepulse_core::{Direction, EndRule, ppc};
 
-const NAME: &str = "PPC arcs to any end";
+const NAME: &str = "PPC to any end point";
 
 /// Start coordinates are −6 … 6, end coordinates −8 … 8.
 const START: i32 = 6;
@@ -15,7 +15,7 @@ const END: i32 = 8;
 
 pub(super) fn machine() -> Machine {
     let item = |x: i32| {
-        Item::new(format!("{NAME} x={x} "), move || {
+        Item::new(format!("{NAME} x={x}"), move || {
             let mut tally = Tally::default();
             for y in (-START..=START).filter(|&y| [x, y] != [0, 0]) {
                 for end in (-END..=END).flat_map(|x| (-END..=END).map(move |y| [x, y])) {
