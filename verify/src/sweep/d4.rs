@@ -61,15 +61,6 @@ impl Offered {
         format!("{circuit}{}", if self.is_normalized { ", normalized (Q > 0)" } else { "" })
     }
 
-    /// R² where even the shortest arc needs a wider register.
-    fn most(self, bits: u32) -> i64 {
-        let radius = match self.preset {
-            Some(_) => (1_i64 << bits) - 1,
-            None => (1_i64 << (bits - 1)) - 1,
-        };
-        radius.pow(2)
-    }
-
     /// Draws an arc, if the constructor accepts it for this width. Normalized with Q = 0 it is the same
     /// machine as without, and not drawn twice.
     fn draw(self, drawing: &Drawing, tally: &mut Tally) {
@@ -104,7 +95,7 @@ impl Offered {
     fn quarters(self, bits: u32) -> Item {
         Item::new(format!("quarters {} n={bits}", self.name()), move || {
             let mut tally = Tally::default();
-            for r in 1..=self.most(bits).isqrt() as i32 {
+            for r in 1..1 << bits {
                 let axes = [[r, 0], [0, r], [-r, 0], [0, -r]];
                 for at in 0..4 {
                     for direction in DIRECTIONS {
@@ -130,7 +121,8 @@ fn items(parameters: &Parameters) -> Vec<Item> {
         for bits in parameters.bits.clone() {
             let draw = move |drawing: &Drawing, tally: &mut Tally| circuit.draw(drawing, tally);
             let name = format!("arcs {}", circuit.name());
-            items.extend(all_arcs(&name, bits, circuit.most(bits), draw));
+            // R < 2ⁿ: the registers hold no larger coordinate, and the constructor decides.
+            items.extend(all_arcs(&name, bits, (1 << (2 * bits)) - 1, draw));
         }
     }
     for (name, normalize) in STARVING {
@@ -178,8 +170,8 @@ pub fn run(parameters: &Parameters, driver: &Driver) -> Result<Outcome, String> 
     });
 
     let statement = format!(
-        "Arcs by digital integration end exactly on their end point, and never wait 2^(n−Q) cycles \
-         for a pulse: every lattice circle that the constructor accepts, all arcs for n = {}, \
+        "Arcs by digital integration end exactly on their end point, never wait 2^(n−Q) cycles for \
+         a pulse, and need no stepping out: every lattice circle that the constructor accepts, all arcs for n = {}, \
          quarter circles for n = {}.",
         widths(bits),
         widths(circle_bits)
@@ -205,6 +197,9 @@ pub fn run(parameters: &Parameters, driver: &Driver) -> Result<Outcome, String> 
                 count(tally.stepped_out),
             ]);
             outcome.demand_no_fault(&circuit.name(), &tally);
+            outcome.demand(tally.stepped_out == 0, || {
+                format!("{}: {} arcs had to be stepped out", circuit.name(), tally.stepped_out)
+            });
             outcome.demand(tally.curves > 0 || !findings.is_complete(), || {
                 format!("{}: no arc was drawn", circuit.name())
             });
@@ -212,8 +207,8 @@ pub fn run(parameters: &Parameters, driver: &Driver) -> Result<Outcome, String> 
         outcome.tables.push(table);
     }
     outcome.remarks.push(
-        "\"Stepped out\" are the arcs whose axes both came to stand, or one on a coordinate axis, \
-         before the end point: there the circuit's last pulses are counted out, not integrated."
+        "\"Stepped out\" would be an arc whose integrators starve, or overshoot, before the end point, and \
+         whose last pulses the core counts out: only end points off the circle need that."
             .to_owned(),
     );
     starving(&mut outcome, &findings);

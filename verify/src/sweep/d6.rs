@@ -65,6 +65,8 @@ enum Drawn {
 /// Which radii.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Domain {
+    /// Every R that the constructor accepts, which must be R ≤ 2^(n−1) − 1 at least.
+    Accepted,
     /// R ≤ 2^(n−k) − 1.
     AtMost(u32),
     /// R < 2^(n−k): the irrational radii between 2^(n−k) − 1 and 2^(n−k) too.
@@ -81,7 +83,7 @@ const fn row(
     Row { letter, circuit, drawn, domain, earlier }
 }
 
-use Domain::{AtMost, Below};
+use Domain::{Accepted, AtMost, Below};
 use Drawn::{AllArcs, Circles, CirclesFromAxes};
 
 const ROWS: [Row; 10] = [
@@ -89,13 +91,25 @@ const ROWS: [Row; 10] = [
     row('b', Kind::UncentredStaggered, Circles, AtMost(0), "0.981 (n = 8 … 12, 14), closes"),
     row('c', Kind::UncentredStaggered, AllArcs, AtMost(1), "1.026 (n = 6)"),
     row('d', Kind::UncentredStaggered, AllArcs, Below(1), ""),
-    row('e', Kind::Centred, AllArcs, AtMost(1), "0.931 (n = 4 … 8)"),
-    row('f', Kind::CentredNormalized, AllArcs, AtMost(2), ""),
-    row('g', Kind::Centred, CirclesFromAxes, AtMost(1), ""),
+    row('e', Kind::Centred, AllArcs, Accepted, "0.931 (n = 4 … 8)"),
+    row('f', Kind::CentredNormalized, AllArcs, Accepted, ""),
+    row('g', Kind::Centred, CirclesFromAxes, Accepted, ""),
     row('h', Kind::CentredWithoutHeadroom, AllArcs, Below(1), "1.06 (n = 6)"),
     row('i', Kind::CentredWithoutHeadroom, AllArcs, AtMost(0), "1.103 (n = 4 … 8)"),
     row('j', Kind::CentredWithoutHeadroom, AllArcs, Below(0), ""),
 ];
+
+impl Domain {
+    /// The largest R² in it.
+    const fn most(self, bits: u32) -> i64 {
+        match self {
+            AtMost(less) => ((1_i64 << (bits - less)) - 1).pow(2),
+            Below(less) => (1 << (2 * (bits - less))) - 1,
+            // The constructor decides; its registers hold no larger coordinate.
+            Accepted => (1 << (2 * bits)) - 1,
+        }
+    }
+}
 
 impl Row {
     /// Whether it is the core's circuit: the others are shown, not demanded.
@@ -108,7 +122,7 @@ impl Row {
             Kind::SimultaneousUpDown => "up/down, both at once, half load",
             Kind::UncentredStaggered => "up/down, staggered, half load",
             Kind::Centred | Kind::CentredWithoutHeadroom => "centred staggered",
-            Kind::CentredNormalized => "centred staggered, normalized",
+            Kind::CentredNormalized => "centred staggered, normalized with Q > 0",
         };
         let drawn = match self.drawn {
             AllArcs => "all arcs",
@@ -118,6 +132,7 @@ impl Row {
         let power =
             |less: u32| if less == 0 { "2ⁿ".to_owned() } else { format!("2^(n−{less})") };
         let domain = match self.domain {
+            Accepted => "R ≤ 2^(n−1) − 1, as accepted".to_owned(),
             AtMost(less) => format!("R ≤ {} − 1", power(less)),
             Below(less) => format!("R < {}", power(less)),
         };
@@ -127,14 +142,6 @@ impl Row {
     /// How its items' names begin.
     fn key(self, bits: u32) -> String {
         format!("{} n={bits}", self.letter)
-    }
-
-    /// The largest R² that is drawn.
-    const fn most(self, bits: u32) -> i64 {
-        match self.domain {
-            AtMost(less) => ((1_i64 << (bits - less)) - 1).pow(2),
-            Below(less) => (1 << (2 * (bits - less))) - 1,
-        }
     }
 
     fn draw(self, drawing: &Drawing, tally: &mut Tally) {
@@ -162,10 +169,10 @@ impl Row {
         let name = self.letter.to_string();
         let bits = self.bits(parameters);
         if self.drawn == AllArcs {
-            return bits.flat_map(|n| all_arcs(&name, n, self.most(n), draw)).collect();
+            return bits.flat_map(|n| all_arcs(&name, n, self.domain.most(n), draw)).collect();
         }
         let starts = if self.drawn == Circles { 1 } else { 4 };
-        bits.flat_map(|n| full_circles(&name, n, self.most(n).isqrt() as i32, starts, draw))
+        bits.flat_map(|n| full_circles(&name, n, self.domain.most(n).isqrt() as i32, starts, draw))
             .collect()
     }
 
@@ -174,11 +181,18 @@ impl Row {
     }
 }
 
+/// Draws an arc that the constructor accepts. Normalized with Q = 0 it is the same machine as without,
+/// and not drawn twice.
 fn centred(drawing: &Drawing, normalize: bool, tally: &mut Tally) -> Result<(), Error> {
     let Drawing { start, end, direction, bits, .. } = *drawing;
     let register = Register::new(Radix::Binary, bits)?;
-    let arc = CentredArc::new(start, end, direction, register, normalize)?;
-    walk(arc, &Drawing { shift: arc.shift(), ..*drawing }, tally);
+    let r_squared = start.map(|c| i64::from(c).pow(2)).iter().sum::<i64>();
+    match CentredArc::new(start, end, direction, register, normalize) {
+        Err(Error::RegisterTooNarrow { .. }) if r_squared > AtMost(1).most(bits) => {}
+        Err(why) => return Err(why),
+        Ok(arc) if normalize && arc.shift() == 0 => {}
+        Ok(arc) => walk(arc, &Drawing { shift: arc.shift(), ..*drawing }, tally),
+    }
     Ok(())
 }
 
@@ -250,6 +264,9 @@ pub fn run(parameters: &Parameters, driver: &Driver) -> Result<Outcome, String> 
     let mut outcome = Outcome::new("D6", statement, &findings, &about);
     for row in ROWS.into_iter().filter(|row| row.is_claimed()) {
         let tally = sum(row);
+        outcome.demand(tally.curves > 0 || !findings.is_complete(), || {
+            format!("{}: no arc was drawn", row.name())
+        });
         outcome.demand_no_fault(&row.name(), &tally);
         outcome.demand_one_pulse(&row.name(), &tally);
     }
