@@ -19,7 +19,7 @@ fn draw(end: [i32; 2], bits: u32, tally: &mut Tally) {
     let curve = Curve::Line { end: to };
     match brm::Line::new(end, bits) {
         Ok(line) => {
-            let walked = path([0, 0], line);
+            let walked = path([0, 0], line, 1 << bits);
             take(tally, curve, bits, &walked, check(to, bits, &walked));
         }
         Err(why) => tally.fault(curve, bits, why.to_string()),

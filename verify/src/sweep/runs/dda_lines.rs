@@ -35,7 +35,7 @@ fn draw(end: [i32; 2], bits: u32, preset: Preset, normalize: bool, tally: &mut T
         .and_then(|register| Line::new(end, register, preset, normalize));
     match line {
         Ok(line) => {
-            let walked = path([0, 0], line);
+            let walked = path([0, 0], line, 1 << bits);
             let checked = check(to, bits, preset, normalize, &walked);
             take(tally, curve, bits, &walked, checked);
         }

@@ -41,11 +41,12 @@ pub(crate) struct Machine {
     items: Vec<Item>,
 }
 
-/// A path, its points cycle by cycle, the start first.
-fn path(start: [i64; 2], cycles: impl Iterator<Item = Pulse>) -> Vec<[i64; 2]> {
+/// A path, its points cycle by cycle, the start first. One cycle more than the `longest` is not
+/// followed any further: the machine does not end.
+fn path(start: [i64; 2], cycles: impl Iterator<Item = Pulse>, longest: usize) -> Vec<[i64; 2]> {
     let mut point = start;
     let mut path = vec![start];
-    for Pulse([dx, dy]) in cycles {
+    for Pulse([dx, dy]) in cycles.take(longest + 1) {
         point = [point[0] + i64::from(dx), point[1] + i64::from(dy)];
         path.push(point);
     }

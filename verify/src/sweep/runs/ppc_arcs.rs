@@ -23,7 +23,7 @@ fn draw(drawing: &Drawing, tally: &mut Tally) {
         Ok(arc) => arc,
         Err(why) => return tally.fault(curve, bits, why.to_string()),
     };
-    let walked = path(start.map(i64::from), arc);
+    let walked = path(start.map(i64::from), arc, arc.remaining() as usize);
     let steps = walked.len() - 1;
     let leaves =
         |point: &&[i64; 2]| Case { curve, bits, cycle: 0, point: **point }.leaves_one_pulse();

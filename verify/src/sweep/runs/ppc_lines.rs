@@ -17,7 +17,8 @@ fn draw(end: [i32; 2], tally: &mut Tally) {
     for rule in [EndRule::Total, EndRule::PerAxis] {
         let to = end.map(i64::from);
         let line = ppc::Line::new(end, rule);
-        let walked = line.map(|line| path([0, 0], line)).unwrap_or_else(|_| vec![[0, 0]]);
+        let longest = end.iter().map(|c| c.unsigned_abs() as usize).sum();
+        let walked = line.map(|line| path([0, 0], line, longest)).unwrap_or_else(|_| vec![[0, 0]]);
         let checked = check(to, &walked).and_then(|()| {
             let follows = walked[1..].iter().copied().eq(ppc_line::path(end));
             demand(follows, || "is not the path of the formula".to_owned())

@@ -39,7 +39,7 @@ fn draw(start: [i32; 2], end: [i32; 2], direction: Direction, tally: &mut Tally)
         Ok(arc) => arc,
         Err(why) => return tally.fault(curve, 0, why.to_string()),
     };
-    let walked = path(start.map(i64::from), arc);
+    let walked = path(start.map(i64::from), arc, arc.remaining() as usize);
     let steps = walked.len() as u64 - 1;
     tally.cycles += steps;
     let is_exact = walked.last() == Some(&end.map(i64::from));
