@@ -23,5 +23,6 @@ pub mod ppc_arc;
 pub mod ppc_line;
 pub mod prover;
 pub mod rtl_formal;
+pub mod sweep;
 
 pub use lattice::circles;

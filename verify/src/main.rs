@@ -1,7 +1,7 @@
 //! The checks that are programs of their own.
 
 use clap::{Parser, Subcommand};
-use onepulse_verify::{cosim, prover, rtl_formal};
+use onepulse_verify::{cosim, prover, rtl_formal, sweep};
 use std::process::ExitCode;
 
 #[derive(Parser)]
@@ -21,6 +21,8 @@ enum Check {
     Prove(prover::Options),
     /// The properties of the Verilog twins, by induction (needs Yosys and Yices)
     RtlFormal(rtl_formal::Options),
+    /// Every curve of narrow registers: what holds, and what does not
+    Sweep(sweep::Options),
 }
 
 fn main() -> ExitCode {
@@ -28,6 +30,7 @@ fn main() -> ExitCode {
         Check::Cosim(options) => cosim::run(&options),
         Check::Prove(options) => prover::run(&options),
         Check::RtlFormal(options) => rtl_formal::run(&options),
+        Check::Sweep(options) => sweep::run(&options),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -35,6 +35,9 @@ pub(crate) fn build(wrong: bool) -> Result<Program, Error> {
         // The plainest instructions: the fewest that wasm2c and the glue must give a meaning to.
         "-C".to_owned(),
         "target-cpu=mvp".to_owned(),
+        // A call hands its structures over in memory, which is what slows the solvers down most.
+        "-C".to_owned(),
+        "llvm-args=-inline-threshold=1000000".to_owned(),
     ];
     // Panics and covers name their files from the repository's root.
     flags.push(format!("--remap-path-prefix={}/=", root().display()));
