@@ -151,16 +151,28 @@ impl<const AXES: usize> Line<AXES> {
     /// the preset is some content of the register.
     #[must_use]
     pub fn invariant(&self) -> bool {
+        // Both factors are 2³² at most, and JV is less.
+        self.invariant_given(self.jv.map(|jv| self.left * jv))
+    }
+
+    /// The invariant for given products left·JV, which a proof may know otherwise than by
+    /// multiplying.
+    #[must_use]
+    pub fn invariant_given(&self, due: [u64; AXES]) -> bool {
         let modulus = self.register.modulus();
-        (0..AXES).all(|axis| {
-            let lacking = u128::from(self.residual()[axis].unsigned_abs());
-            let due = u128::from(self.left) * u128::from(self.jv[axis]);
-            let total = u128::from(self.jr[axis]) + due;
-            self.jv[axis] < modulus
-                && self.jr[axis] < modulus
-                && lacking * u128::from(modulus) <= total
-                && total < (lacking + 1) * u128::from(modulus)
-        })
+        let residual = self.residual();
+        self.left <= modulus >> self.shift
+            && (0..AXES).all(|axis| {
+                let lacking = residual[axis].unsigned_abs();
+                let Some(total) = due[axis].checked_add(self.jr[axis]) else { return false };
+                let Some(preset) = total.checked_sub(self.register.shifted(lacking)) else {
+                    return false;
+                };
+                self.jv[axis] < modulus
+                    && self.jr[axis] < modulus
+                    && preset < modulus
+                    && lacking <= u64::from(self.end[axis].unsigned_abs())
+            })
     }
 }
 

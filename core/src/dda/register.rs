@@ -72,6 +72,14 @@ impl Register {
     pub const fn modulus(self) -> u64 {
         self.modulus
     }
+
+    /// A number of pulses as that many contents of the register: pulses · radix^digits.
+    pub(super) const fn shifted(self, pulses: u64) -> u64 {
+        match self.radix {
+            Radix::Binary => pulses << self.digits,
+            Radix::Decimal => pulses * self.modulus,
+        }
+    }
 }
 
 #[cfg(test)]

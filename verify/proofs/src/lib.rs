@@ -14,6 +14,8 @@
 #![cfg_attr(target_arch = "wasm32", no_std)]
 
 mod any;
+mod brm;
+mod dda_line;
 mod ppc_arc;
 mod ppc_line;
 mod product;
