@@ -1,7 +1,7 @@
 //! The checks that are programs of their own.
 
 use clap::{Parser, Subcommand};
-use onepulse_verify::{cosim, rtl_formal};
+use onepulse_verify::{cosim, lemmas, rtl_formal};
 use std::process::ExitCode;
 
 #[derive(Parser)]
@@ -16,6 +16,8 @@ enum Check {
     /// The circuits against their Verilog twins, every register on every clock (needs Verilator or
     /// Icarus Verilog)
     Cosim(cosim::Options),
+    /// The mathematics of the proofs, by two solvers (needs z3 and cvc5)
+    Lemmas(lemmas::Options),
     /// The properties of the Verilog twins, by induction (needs Yosys and Yices)
     RtlFormal(rtl_formal::Options),
 }
@@ -23,6 +25,7 @@ enum Check {
 fn main() -> ExitCode {
     let done = match Arguments::parse().check {
         Check::Cosim(options) => cosim::run(&options),
+        Check::Lemmas(options) => lemmas::run(&options),
         Check::RtlFormal(options) => rtl_formal::run(&options),
     };
     match done {
