@@ -166,8 +166,8 @@
 (pop 1)
 
 ; lemma: three_axes_can_be_off_by_more_than_a_pulse
-; The smallest example: n = 3, J = (1,1,7), seven accumulations from the preset 0. The lags are
-; 7, 7 and 49 - 6*8 = 1; the distance squared is (99*51 - 21*21) / (64*51) = 1.41.
+; n = 3, the narrowest register that shows it, J = (1,1,7), seven accumulations from the preset 0: the
+; lags are 7, 7 and 49 - 6*8 = 1, and the distance squared is (99*51 - 21*21) / (64*51) = 1.41.
 ; mutant: replace "(= i 7)" by "(= i 3)"
 (push 1)
 (declare-const i Int)

@@ -102,7 +102,7 @@ impl Lemma {
             let comment = line.strip_prefix(';').ok_or("has more than comments at its head")?;
             match comment.trim().strip_prefix("mutant: ") {
                 Some(mutant) => {
-                    mutants.push(read_mutant(mutant).ok_or("has a mutant I cannot read")?)
+                    mutants.push(read_mutant(mutant).ok_or("has a mutant I cannot read")?);
                 }
                 None => sentence.push(comment.trim()),
             }
