@@ -102,10 +102,9 @@
 (pop 1)
 
 ; lemma: two_axes_half_load
-; With lags of half a pulse at most, 2*(ex*Jy - ey*Jx)^2 <= m^2*(Jx^2 + Jy^2): the distance is at most
-; half the square root of two.
-; mutant: replace "(* 2.0 cross cross)" by "(* 3.0 cross cross)"
+; With lags of half a pulse at most, 2*|ex*Jy - ey*Jx| <= m*(Jx + Jy).
 ; mutant: replace "(<= (* 2.0 ex) m)" by "(<= ex m)"
+; mutant: replace "(<= (* 2.0 cross) (* m" by "(<= (* 2.1 cross) (* m"
 (push 1)
 (declare-const m Real)
 (declare-const Jx Real)
@@ -117,7 +116,35 @@
 (assert (and (<= (- m) (* 2.0 ey)) (<= (* 2.0 ey) m)))
 (define-fun cross () Real (- (* ex Jy) (* ey Jx)))
 (check-sat) ; expect sat
-(assert (not (<= (* 2.0 cross cross) (* m m (+ (* Jx Jx) (* Jy Jy))))))
+(assert (not (and (<= (- (* m (+ Jx Jy))) (* 2.0 cross)) (<= (* 2.0 cross) (* m (+ Jx Jy))))))
+(check-sat) ; expect unsat
+(pop 1)
+
+; lemma: two_axes_half_load_squared
+; In squares, 4*cross^2 <= w^2, with w = m*(Jx + Jy).
+; mutant: replace "(* 4.0 cross cross)" by "(* 4.1 cross cross)"
+; mutant: replace "(<= (- w) (* 2.0 cross))" by "true"
+(push 1)
+(declare-const cross Real)
+(declare-const w Real)
+(assert (<= (- w) (* 2.0 cross)))
+(assert (<= (* 2.0 cross) w))
+(check-sat) ; expect sat
+(assert (not (<= (* 4.0 cross cross) (* w w))))
+(check-sat) ; expect unsat
+(pop 1)
+
+; lemma: two_axes_half_load_diagonal
+; And w^2 <= 2*m^2*(Jx^2 + Jy^2): so 2*cross^2 <= m^2*L^2, and the distance is at most half the square root of two. (Jy is
+; written as Jx and what it is more.)
+; mutant: replace "(* 2.0 m m" by "(* 1.9 m m"
+(push 1)
+(declare-const m Real)
+(declare-const Jx Real)
+(declare-const more Real)
+(define-fun Jy () Real (+ Jx more))
+(check-sat) ; expect sat
+(assert (not (<= (* m m (+ Jx Jy) (+ Jx Jy)) (* 2.0 m m (+ (* Jx Jx) (* Jy Jy))))))
 (check-sat) ; expect unsat
 (pop 1)
 

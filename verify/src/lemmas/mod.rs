@@ -27,8 +27,8 @@ pub struct Options {
     #[arg(long)]
     mutants: bool,
     /// Seconds for one question to one solver
-    #[arg(long, default_value_t = 10.0)]
-    limit: f64,
+    #[arg(long, default_value_t = 10)]
+    limit: u64,
     /// The folder of the lemmas
     #[arg(long, default_value = concat!(env!("CARGO_MANIFEST_DIR"), "/lemmas"))]
     lemmas: PathBuf,
@@ -166,7 +166,7 @@ fn ask<Q: Sync, A: Send>(
 /// A lemma that is not proved, a mutant that is not found, or what could not be run.
 pub fn run(options: &Options) -> Result<(), String> {
     let begun = Instant::now();
-    let limit = Duration::from_secs_f64(options.limit);
+    let limit = Duration::from_secs(options.limit);
     let mut lemmas = Lemma::read_all(&options.lemmas)?;
     if let Some(only) = &options.only {
         lemmas.retain(|lemma| lemma.file.contains(only) || lemma.name.contains(only));
