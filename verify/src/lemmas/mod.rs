@@ -26,9 +26,9 @@ pub struct Options {
     /// Instead, make the small errors that stand beside each lemma and demand that none is proved
     #[arg(long)]
     mutants: bool,
-    /// Seconds for one question to one solver
-    #[arg(long, default_value_t = 10)]
-    limit: u64,
+    /// Seconds for one question to one solver: 10, or 3 where one answer is enough, for a mutant
+    #[arg(long)]
+    limit: Option<u64>,
     /// The folder of the lemmas
     #[arg(long, default_value = concat!(env!("CARGO_MANIFEST_DIR"), "/lemmas"))]
     lemmas: PathBuf,
@@ -166,7 +166,8 @@ fn ask<Q: Sync, A: Send>(
 /// A lemma that is not proved, a mutant that is not found, or what could not be run.
 pub fn run(options: &Options) -> Result<(), String> {
     let begun = Instant::now();
-    let limit = Duration::from_secs(options.limit);
+    let limit = options.limit.unwrap_or(if options.mutants { 3 } else { 10 });
+    let limit = Duration::from_secs(limit);
     let mut lemmas = Lemma::read_all(&options.lemmas)?;
     if let Some(only) = &options.only {
         lemmas.retain(|lemma| lemma.file.contains(only) || lemma.name.contains(only));
