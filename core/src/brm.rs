@@ -5,6 +5,8 @@
 //! 2^(n−1). No clock passes two stages, so the stages that an axis' value gates can be joined to
 //! one train of exactly `value` pulses.
 
+#[cfg(feature = "proofs")]
+use crate::pulse::signed;
 use crate::{
     Error, Pulse,
     dda::{Radix, Register},
@@ -57,18 +59,17 @@ impl<const AXES: usize> Line<AXES> {
         })
     }
 
-    /// The line to `end` in this state, reachable or not.
+    /// The line to `end` after so many clocks.
     #[cfg(feature = "proofs")]
     #[must_use]
-    pub fn in_state(
-        end: [i32; AXES],
-        register: Register,
-        position: [i64; AXES],
-        clock: u64,
-    ) -> Self {
+    pub fn after_clocks(end: [i32; AXES], register: Register, clock: u64) -> Self {
         let value = end.map(|c| u64::from(c.unsigned_abs()));
         let sign = end.map(|c| c.signum() as i8);
-        Self { value, sign, position, end, clock, register }
+        let mut line = Self { value, sign, position: [0; AXES], end, clock, register };
+        for axis in 0..AXES {
+            line.position[axis] = signed(sign[axis], line.passed(axis) as i64);
+        }
+        line
     }
 
     /// One clock of the pulse source; `None` once the divider has overflowed.
@@ -143,15 +144,17 @@ impl<const AXES: usize> Line<AXES> {
     /// 2^(n−1−t) passes a clock whenever the divider's low t + 1 bits become 10…0.
     #[must_use]
     pub fn invariant(&self) -> bool {
-        let bits = self.register.digits();
         self.clock <= self.register.modulus()
-            && (0..AXES).all(|axis| {
-                let passed = (0..bits)
-                    .filter(|t| self.value[axis] >> (bits - 1 - t) & 1 == 1)
-                    .map(|t| (self.clock + (1 << t)) >> (t + 1))
-                    .sum::<u64>();
-                self.position[axis].unsigned_abs() == passed
-            })
+            && (0..AXES).all(|axis| self.position[axis].unsigned_abs() == self.passed(axis))
+    }
+
+    /// The clocks that an axis' gated stages have passed.
+    fn passed(&self, axis: usize) -> u64 {
+        let bits = self.register.digits();
+        (0..bits)
+            .filter(|t| self.value[axis] >> (bits - 1 - t) & 1 == 1)
+            .map(|t| (self.clock + (1 << t)) >> (t + 1))
+            .sum()
     }
 }
 

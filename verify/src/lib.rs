@@ -18,6 +18,7 @@ pub mod dda_arc;
 pub mod dda_line;
 mod in_parallel;
 mod lattice;
+pub mod lemmas;
 mod mutant;
 pub mod ppc_arc;
 pub mod ppc_line;

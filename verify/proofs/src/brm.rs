@@ -22,8 +22,8 @@ fn brm_step_passes_one_stage() {
     let register = any_binary_register();
     let end = any_end(register.modulus());
     let clock = kani::any_where(|clock: &u64| *clock <= register.modulus());
-    let position = i64::from(kani::any::<i32>());
-    let mut line = Line::in_state([end], register, [position], clock);
+    let mut line = Line::after_clocks([end], register, clock);
+    let position = line.position()[0];
     let gate = line.gate();
     let Some(pulse) = line.step() else {
         assert!(clock == register.modulus());

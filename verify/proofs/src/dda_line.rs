@@ -6,30 +6,55 @@
 use crate::any::{any_binary_register, any_preset};
 use onepulse_core::dda::{Line, Register};
 
-/// A line somewhere on its way, and left·JV.
+/// What the axes of a line have in common.
+struct Common {
+    register: Register,
+    shift: u32,
+    left: u64,
+}
+
+/// One axis of a line somewhere on its way, and left·JV.
 struct Any {
-    line: Line<1>,
+    end: i32,
+    jr: u64,
+    position: i64,
     due: u64,
 }
 
-/// Any state that satisfies the invariant, with any shift that leaves the integrand in its register.
-fn any_state() -> Any {
+fn any_common() -> Common {
     let register = any_binary_register();
-    let end: i32 = kani::any();
-    let shift = u32::from(kani::any_where(|shift: &u8| *shift < 32));
-    let (modulus, magnitude) = (register.modulus(), u64::from(end.unsigned_abs()));
-    kani::assume(shift < register.digits() && magnitude << shift < modulus);
-    let jv = magnitude << shift;
-    let left = kani::any_where(|left: &u64| *left <= modulus >> shift);
-    let jr = kani::any_where(|jr: &u64| *jr < modulus);
-    let due = product(jv, left, magnitude << register.digits());
-    // What the invariant makes of it: JR + left·JV = preset + lacking·2ⁿ.
-    let lacking = (due + jr) >> register.digits();
-    let done = magnitude as i64 - lacking as i64;
-    let position = if end < 0 { -done } else { done };
-    let line = Line::in_state([end], register, shift, [jr], [position], left);
-    kani::assume(line.invariant_given([due]));
-    Any { line, due }
+    let shift = u32::from(kani::any_where(|shift: &u8| u32::from(*shift) < register.digits()));
+    let left = kani::any_where(|left: &u64| *left <= register.modulus() >> shift);
+    Common { register, shift, left }
+}
+
+impl Common {
+    /// Any state of an axis that satisfies the invariant, JR + left·JV = preset + lacking·2ⁿ.
+    fn any_axis(&self) -> Any {
+        let (modulus, bits) = (self.register.modulus(), self.register.digits());
+        let end =
+            kani::any_where(|end: &i32| u64::from(end.unsigned_abs()) << self.shift < modulus);
+        let magnitude = u64::from(end.unsigned_abs());
+        let jr = kani::any_where(|jr: &u64| *jr < modulus);
+        let due = product(magnitude << self.shift, self.left, magnitude << bits);
+        let done = magnitude as i64 - ((due + jr) >> bits) as i64;
+        Any { end, jr, position: if end < 0 { -done } else { done }, due }
+    }
+
+    fn line<const AXES: usize>(&self, axes: [&Any; AXES]) -> Line<AXES> {
+        let (end, jr) = (axes.map(|axis| axis.end), axes.map(|axis| axis.jr));
+        let position = axes.map(|axis| axis.position);
+        Line::in_state(end, self.register, self.shift, jr, position, self.left)
+    }
+}
+
+/// Any state of a line of one axis that satisfies the invariant, and left·JV.
+fn any_state() -> (Line<1>, u64) {
+    let common = any_common();
+    let axis = common.any_axis();
+    let line = common.line([&axis]);
+    kani::assume(line.invariant_given([axis.due]));
+    (line, axis.due)
 }
 
 /// left·JV. To a solver any number with these properties of the product, which is `most` at most
@@ -80,7 +105,7 @@ fn dda_line_new_establishes_invariant() {
 /// contents whatever.
 #[kani::proof]
 fn dda_line_step_adds_integrand() {
-    let Any { mut line, .. } = any_state();
+    let (mut line, _) = any_state();
     let before = line;
     let negative = line.residual()[0] < 0 || line.position()[0] < 0;
     let Some(pulse) = line.step() else {
@@ -100,7 +125,7 @@ fn dda_line_step_adds_integrand() {
 
 #[kani::proof]
 fn dda_line_step_preserves_invariant() {
-    let Any { mut line, due } = any_state();
+    let (mut line, due) = any_state();
     let jv = line.integrands()[0];
     let Some(pulse) = line.step() else { return };
     kani::cover!(pulse.0[0] != 0);
@@ -111,7 +136,7 @@ fn dda_line_step_preserves_invariant() {
 /// D3.
 #[kani::proof]
 fn dda_line_done_means_end_point() {
-    let Any { line, .. } = any_state();
+    let (line, _) = any_state();
     kani::cover!(line.is_done() && line.position()[0] < 0);
     if line.is_done() {
         assert!(line.residual()[0] == 0);
@@ -122,7 +147,7 @@ fn dda_line_done_means_end_point() {
 /// and ½ at most with half load.
 #[kani::proof]
 fn dda_line_invariant_means_deviation() {
-    let Any { line, .. } = any_state();
+    let (line, _) = any_state();
     let preset = any_preset();
     let register: Register = line.register();
     let off = preset.value(register).abs_diff(line.remainders()[0]);
@@ -136,16 +161,14 @@ fn dda_line_invariant_means_deviation() {
 /// What an axis does does not depend on the other.
 #[kani::proof]
 fn dda_line_axes_are_alike() {
-    let register = any_binary_register();
-    let end: [i32; 2] = kani::any();
-    let (modulus, left) = (register.modulus(), u64::from(kani::any::<u32>()));
-    kani::assume(end.iter().all(|c| u64::from(c.unsigned_abs()) < modulus));
-    let jr = [kani::any_where(|jr: &u64| *jr < modulus), kani::any_where(|jr: &u64| *jr < modulus)];
-    let mut both = Line::in_state(end, register, 0, jr, [0; 2], left);
+    let common = any_common();
+    let axes = [common.any_axis(), common.any_axis()];
+    let mut both = common.line([&axes[0], &axes[1]]);
+    kani::assume(both.invariant_given([axes[0].due, axes[1].due]));
     let together = both.step();
     kani::cover!(together.is_some_and(|pulse| pulse.0[0] == 1 && pulse.0[1] == -1));
     for axis in 0..2 {
-        let mut one = Line::in_state([end[axis]], register, 0, [jr[axis]], [0], left);
+        let mut one = common.line([&axes[axis]]);
         let alone = one.step();
         assert!(together.is_some() == alone.is_some());
         assert!(together.map(|pulse| pulse.0[axis]) == alone.map(|pulse| pulse.0[0]));
