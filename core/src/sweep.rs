@@ -205,15 +205,28 @@ impl Sweep {
     #[must_use]
     pub fn pulses_to_go(&self, position: [i64; 2]) -> [u64; 2] {
         let [x, y] = position;
-        let [xe, ye] = self.end;
-        if self.crossings_left == 0 {
-            return [x.abs_diff(xe), y.abs_diff(ye)];
+        match self.feeds.towards.axis {
+            Axis::X => self.to_go([x.abs(), y.abs()]),
+            Axis::Y => {
+                let [towards, away] = self.to_go([y.abs(), x.abs()]);
+                [away, towards]
+            }
         }
-        let peak = self.peak;
+    }
+
+    /// The same from the magnitudes of the coordinate that is fed towards zero and of the one that
+    /// is fed away from it, in their order.
+    pub(crate) fn to_go(&self, [towards, away]: [i64; 2]) -> [u64; 2] {
+        let is_swapped = self.crossings_left % 2 == 1;
+        let last_towards = if is_swapped { self.feeds.away } else { self.feeds.towards };
+        let last_away = if is_swapped { self.feeds.towards } else { self.feeds.away };
+        let stop = [last_towards, last_away].map(|feed| feed.axis.of(self.end).abs());
+        if self.crossings_left == 0 {
+            return [towards.abs_diff(stop[0]), away.abs_diff(stop[1])];
+        }
         // To the first crossing, through whole quadrants, and from the last crossing to the end.
-        // Axis by axis, what is fed towards zero in one quadrant is fed away from it in the next.
-        let towards_is_x = matches!(self.feeds.towards.axis, Axis::X);
-        let [towards, away] = if towards_is_x { [x, y] } else { [y, x] };
+        // What is fed towards zero in one quadrant is fed away from it in the next.
+        let peak = self.peak;
         let whole = match self.crossings_left {
             1 => 0,
             2 => peak,
@@ -221,15 +234,9 @@ impl Sweep {
             _ => peak + peak + peak,
         }
         .unsigned_abs();
-        let to_axis = [towards.unsigned_abs() + whole, peak.abs_diff(away.abs()) + whole];
-        let last_towards_is_x = towards_is_x != (self.crossings_left % 2 == 1);
-        let [last_towards, last_away] = if last_towards_is_x { [xe, ye] } else { [ye, xe] };
-        let to_end = [peak.abs_diff(last_towards.abs()), last_away.unsigned_abs()];
-        let by_axis =
-            |[towards, away]: [u64; 2], is_x| if is_x { [towards, away] } else { [away, towards] };
-        let [x, y] = by_axis(to_axis, towards_is_x);
-        let [xe, ye] = by_axis(to_end, last_towards_is_x);
-        [x + xe, y + ye]
+        let [first, second] = [peak.abs_diff(stop[0]), stop[1].unsigned_abs()];
+        let last = if is_swapped { [second, first] } else { [first, second] };
+        [towards.unsigned_abs() + whole + last[0], peak.abs_diff(away) + whole + last[1]]
     }
 
     /// What always holds: the quadrant's motions are the stored ones, the sweep is at most a

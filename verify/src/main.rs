@@ -16,14 +16,11 @@ enum Check {
     /// The circuits against their Verilog twins, every register on every clock (needs Verilator or
     /// Icarus Verilog)
     Cosim(cosim::Options),
-<<<<<<< HEAD
     /// The claims of verify/claims.toml, by the harnesses of verify/proofs (needs
     /// tools/install-proof-tools)
     Prove(prover::Options),
-=======
     /// The mathematics of the proofs, by two solvers (needs z3 and cvc5)
     Lemmas(lemmas::Options),
->>>>>>> hd
     /// The properties of the Verilog twins, by induction (needs Yosys and Yices)
     RtlFormal(rtl_formal::Options),
     /// Every curve of narrow registers: what holds, and what does not
@@ -33,11 +30,8 @@ enum Check {
 fn main() -> ExitCode {
     let done = match Arguments::parse().check {
         Check::Cosim(options) => cosim::run(&options),
-<<<<<<< HEAD
         Check::Prove(options) => prover::run(&options),
-=======
         Check::Lemmas(options) => lemmas::run(&options),
->>>>>>> hd
         Check::RtlFormal(options) => rtl_formal::run(&options),
         Check::Sweep(options) => sweep::run(&options),
     };

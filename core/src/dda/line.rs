@@ -147,8 +147,7 @@ impl<const AXES: usize> Line<AXES> {
     }
 
     /// What always holds: every register is within its width, and the accumulations left bring
-    /// each axis exactly the pulses that it lacks: JR + left·JV = preset + lacking·2ⁿ, where
-    /// the preset is some content of the register.
+    /// each axis exactly the pulses that it lacks: ⌊(JR + left·JV)/2ⁿ⌋.
     #[must_use]
     pub fn invariant(&self) -> bool {
         // Both factors are 2³² at most, and JV is less.
@@ -165,12 +164,9 @@ impl<const AXES: usize> Line<AXES> {
             && (0..AXES).all(|axis| {
                 let lacking = residual[axis].unsigned_abs();
                 let Some(total) = due[axis].checked_add(self.jr[axis]) else { return false };
-                let Some(preset) = total.checked_sub(self.register.shifted(lacking)) else {
-                    return false;
-                };
                 self.jv[axis] < modulus
                     && self.jr[axis] < modulus
-                    && preset < modulus
+                    && lacking == self.register.overflows(total)
                     && lacking <= u64::from(self.end[axis].unsigned_abs())
             })
     }

@@ -73,11 +73,11 @@ impl Register {
         self.modulus
     }
 
-    /// A number of pulses as that many contents of the register: pulses · radix^digits.
-    pub(super) const fn shifted(self, pulses: u64) -> u64 {
+    /// How often a sum has overflowed the register: ⌊sum/radix^digits⌋.
+    pub(super) const fn overflows(self, sum: u64) -> u64 {
         match self.radix {
-            Radix::Binary => pulses << self.digits,
-            Radix::Decimal => pulses * self.modulus,
+            Radix::Binary => sum >> self.digits,
+            Radix::Decimal => sum / self.modulus,
         }
     }
 }

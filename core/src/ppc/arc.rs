@@ -57,19 +57,20 @@ impl Arc {
 
     /// The arc from `start` along a sweep that begins there.
     fn along(sweep: Sweep, start: [i32; 2], rule: EndRule) -> Self {
-        let left = sweep.pulses_to_go(start.map(i64::from));
-        let Feeds { towards, away } = sweep.feeds();
-        let [towards, away] = [towards.axis.index(), away.axis.index()];
+        let [x, y] = start.map(|c| i64::from(c).abs());
+        let point = if sweep.feeds().towards.axis == Axis::X { [x, y] } else { [y, x] };
         let mut arc = Self {
             f: 0,
-            point: [towards, away].map(|axis| i64::from(start[axis]).abs()),
+            point,
             stop: [0; 2],
             pulse: [Pulse::NONE; 2],
-            left: [left[towards], left[away]],
-            larger: if left[0] >= left[1] { Axis::X } else { Axis::Y },
+            left: sweep.to_go(point),
+            larger: Axis::X,
             rule,
             sweep,
         };
+        let [x, y] = arc.pulses_to_go();
+        arc.larger = if x >= y { Axis::X } else { Axis::Y };
         arc.enter_quadrant();
         arc
     }
@@ -86,10 +87,9 @@ impl Arc {
     #[cfg(feature = "proofs")]
     #[must_use]
     pub fn in_state(sweep: Sweep, rule: EndRule, larger: Axis, f: i64, point: [i64; 2]) -> Self {
-        let (stop, pulse, left) = ([0; 2], [Pulse::NONE; 2], [0; 2]);
+        let (stop, pulse, left) = ([0; 2], [Pulse::NONE; 2], sweep.to_go(point));
         let mut arc = Self { f, point, stop, pulse, left, larger, rule, sweep };
         arc.enter_quadrant();
-        arc.left = arc.by_axis(sweep.pulses_to_go(Self::position(&arc)));
         arc
     }
 
@@ -144,11 +144,18 @@ impl Arc {
     fn enter_quadrant(&mut self) {
         let Feeds { towards, away } = self.sweep.feeds();
         self.pulse = [towards, away].map(|feed| Pulse::on(feed.axis, feed.sign));
-        self.stop = if self.sweep.crossings_left() > 0 {
+        self.stop = self.stops();
+    }
+
+    /// Where each coordinate stands in this quadrant.
+    #[inline]
+    fn stops(&self) -> [i64; 2] {
+        let Feeds { towards, away } = self.sweep.feeds();
+        if self.sweep.crossings_left() > 0 {
             [i64::MIN, i64::MAX]
         } else {
             [towards, away].map(|feed| feed.axis.of(self.sweep.end()).abs())
-        };
+        }
     }
 
     /// One pulse straight to an end point off the circle, x first.
@@ -255,18 +262,26 @@ impl Arc {
     pub fn invariant(&self) -> bool {
         let peak = self.sweep.peak();
         let [towards, away] = self.point;
-        let [x, y] = self.pulses_to_go();
-        let [x_to_go, y_to_go] = self.sweep.pulses_to_go(self.position());
-        let [x_stands, y_stands] = self.by_axis(self.stands());
-        let [x_does, y_does] = self.sweep.stands(self.position());
+        let [to_go, to_go_away] = self.sweep.to_go(self.point);
+        let [stop, stop_away] = self.stops();
+        let [stands, stands_away] = self.stands();
         self.sweep.invariant()
-            && (x == x_to_go && y == y_to_go)
-            && (x_stands == x_does && y_stands == y_does)
-            && (x_stands
-                || y_stands
+            && (self.left[TOWARDS] == to_go && self.left[AWAY] == to_go_away)
+            && (self.stop[TOWARDS] == stop && self.stop[AWAY] == stop_away)
+            && (0 <= towards && 0 <= away)
+            && (stands
+                || stands_away
                 || (-2 * peak < self.f && self.f <= 2 * peak)
-                    && (towards <= peak && 0 <= away && away <= peak)
-                    && (towards > 0 || towards == 0 && away == 0 && peak == 1))
+                    && (towards <= peak && away <= peak)
+                    && (towards > 0 || away == 0 && peak == 1))
+    }
+
+    /// Whether the counters hold the pulses of the way that is left.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn counters_hold(&self) -> bool {
+        let [towards, away] = self.sweep.to_go(self.point);
+        self.left[TOWARDS] == towards && self.left[AWAY] == away
     }
 
     /// From the order of the motions to that of the axes.
