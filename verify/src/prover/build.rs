@@ -35,9 +35,6 @@ pub(crate) fn build(wrong: bool) -> Result<Program, Error> {
         // The plainest instructions: the fewest that wasm2c and the glue must give a meaning to.
         "-C".to_owned(),
         "target-cpu=mvp".to_owned(),
-        // A table is a load from an address that is not constant; a solver does branches better.
-        "-C".to_owned(),
-        "llvm-args=-switch-to-lookup=false".to_owned(),
     ];
     // Panics and covers name their files from the repository's root.
     flags.push(format!("--remap-path-prefix={}/=", root().display()));
