@@ -236,3 +236,6 @@ fn offset_of(kind: &DataKind<'_>) -> Result<u32, Error> {
     }
     Err(Error::Module("data that are not at a constant place in memory 0".to_owned()))
 }
+
+#[cfg(test)]
+mod tests;
