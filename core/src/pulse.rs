@@ -21,14 +21,14 @@ impl Axis {
 
     /// The axis' part of a pair.
     ///
-    /// (A choice, not an index: machines whose arrays are never indexed by a variable can live in
-    /// processor registers.)
+    /// (A choice between values, not an index: machines whose arrays are never indexed by a
+    /// variable can live in processor registers, and in a solver's variables.)
     #[inline]
     #[must_use]
-    pub const fn of<T: Copy>(self, pair: [T; 2]) -> T {
+    pub const fn of<T: Copy>(self, [x, y]: [T; 2]) -> T {
         match self {
-            Self::X => pair[0],
-            Self::Y => pair[1],
+            Self::X => x,
+            Self::Y => y,
         }
     }
 

@@ -206,9 +206,9 @@ impl Sweep {
     pub fn pulses_to_go(&self, position: [i64; 2]) -> [u64; 2] {
         let [x, y] = position;
         match self.feeds.towards.axis {
-            Axis::X => self.to_go([x.abs(), y.abs()]),
+            Axis::X => self.way_left([x.abs(), y.abs()]),
             Axis::Y => {
-                let [towards, away] = self.to_go([y.abs(), x.abs()]);
+                let [towards, away] = self.way_left([y.abs(), x.abs()]);
                 [away, towards]
             }
         }
@@ -216,7 +216,7 @@ impl Sweep {
 
     /// The same from the magnitudes of the coordinate that is fed towards zero and of the one that
     /// is fed away from it, in their order.
-    pub(crate) fn to_go(&self, [towards, away]: [i64; 2]) -> [u64; 2] {
+    pub(crate) fn way_left(&self, [towards, away]: [i64; 2]) -> [u64; 2] {
         let is_swapped = self.crossings_left % 2 == 1;
         let last_towards = if is_swapped { self.feeds.away } else { self.feeds.towards };
         let last_away = if is_swapped { self.feeds.towards } else { self.feeds.away };

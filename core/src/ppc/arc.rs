@@ -64,7 +64,7 @@ impl Arc {
             point,
             stop: [0; 2],
             pulse: [Pulse::NONE; 2],
-            left: sweep.to_go(point),
+            left: sweep.way_left(point),
             larger: Axis::X,
             rule,
             sweep,
@@ -87,7 +87,7 @@ impl Arc {
     #[cfg(feature = "proofs")]
     #[must_use]
     pub fn in_state(sweep: Sweep, rule: EndRule, larger: Axis, f: i64, point: [i64; 2]) -> Self {
-        let (stop, pulse, left) = ([0; 2], [Pulse::NONE; 2], sweep.to_go(point));
+        let (stop, pulse, left) = ([0; 2], [Pulse::NONE; 2], sweep.way_left(point));
         let mut arc = Self { f, point, stop, pulse, left, larger, rule, sweep };
         arc.enter_quadrant();
         arc
@@ -262,7 +262,7 @@ impl Arc {
     pub fn invariant(&self) -> bool {
         let peak = self.sweep.peak();
         let [towards, away] = self.point;
-        let [to_go, to_go_away] = self.sweep.to_go(self.point);
+        let [to_go, to_go_away] = self.sweep.way_left(self.point);
         let [stop, stop_away] = self.stops();
         let [stands, stands_away] = self.stands();
         self.sweep.invariant()
@@ -280,7 +280,7 @@ impl Arc {
     #[cfg(feature = "proofs")]
     #[must_use]
     pub fn counters_hold(&self) -> bool {
-        let [towards, away] = self.sweep.to_go(self.point);
+        let [towards, away] = self.sweep.way_left(self.point);
         self.left[TOWARDS] == towards && self.left[AWAY] == away
     }
 

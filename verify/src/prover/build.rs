@@ -35,10 +35,22 @@ pub(crate) fn build(wrong: bool) -> Result<Program, Error> {
         // The plainest instructions: the fewest that wasm2c and the glue must give a meaning to.
         "-C".to_owned(),
         "target-cpu=mvp".to_owned(),
-        // A call hands its structures over in memory, which is what slows the solvers down most.
-        "-C".to_owned(),
-        "llvm-args=-inline-threshold=1000000".to_owned(),
     ];
+    // A call hands its structures over in memory, and memory is what slows the solvers down most.
+    // Everything has to be in one function before anything else is done to it: once a choice of two
+    // fields has become a choice of two addresses, they stay in memory. So calls are put in by the
+    // front end, whose flags for that are not stable, and the rest by the back end.
+    for flag in [
+        "-Zmir-opt-level=3",
+        "-Zinline-mir=yes",
+        "-Zinline-mir-threshold=100000",
+        "-Zinline-mir-hint-threshold=100000",
+        "-Zinline-mir-forwarder-threshold=100000",
+        "-Zcross-crate-inline-threshold=always",
+        "-Cllvm-args=-inline-threshold=1000000",
+    ] {
+        flags.push(flag.to_owned());
+    }
     // Panics and covers name their files from the repository's root.
     flags.push(format!("--remap-path-prefix={}/=", root().display()));
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
@@ -49,6 +61,7 @@ pub(crate) fn build(wrong: bool) -> Result<Program, Error> {
         .args(["--target", "wasm32-unknown-unknown", "--target-dir"])
         .arg(&target)
         .env("RUSTC", find("rustc")?)
+        .env("RUSTC_BOOTSTRAP", "1")
         .env("RUSTC_WRAPPER", "")
         .env("CARGO_ENCODED_RUSTFLAGS", flags.join("\u{1f}"));
     if wrong {

@@ -47,7 +47,7 @@ pub(crate) fn check_named(program: &Program, name: &str, limit: Duration) -> Run
 }
 
 fn solver(harness: &Harness) -> &str {
-    harness.solver.as_deref().unwrap_or("minisat")
+    harness.solver.as_deref().unwrap_or("cadical")
 }
 
 fn solve(
