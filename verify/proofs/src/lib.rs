@@ -15,10 +15,13 @@
 
 mod any;
 mod brm;
+mod centred_arc;
+mod dda_arc;
 mod dda_line;
 mod ppc_arc;
 mod ppc_line;
 mod product;
+mod quadrant_walk;
 mod same;
 #[cfg(feature = "wrong")]
 mod wrong;
