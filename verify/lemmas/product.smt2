@@ -68,3 +68,24 @@
 (assert (not (and (<= 0 (* a b)) (<= (* a b) 4611686018427387904))))
 (check-sat) ; expect unsat
 (pop 1)
+
+; lemma: square_beside_zero
+; The square one to the left is a square: (c - 1)^2 >= 0, so that c^2 >= 2c - 1.
+; mutant: replace "(- (* 2 c) 1)" by "(* 2 c)"
+(push 1)
+(declare-const c Int)
+(check-sat) ; expect sat
+(assert (not (>= (* c c) (- (* 2 c) 1))))
+(check-sat) ; expect unsat
+(pop 1)
+
+; lemma: square_below_the_bound
+; Below c = 2^31 the square one to the right is within the bound too: c^2 + 2c + 1 = (c + 1)^2 <= 2^62.
+; mutant: replace "(< c 2147483648)" by "(<= c 2147483648)"
+(push 1)
+(declare-const c Int)
+(assert (and (<= 0 c) (< c 2147483648)))
+(check-sat) ; expect sat
+(assert (not (<= (+ (* c c) (* 2 c) 1) 4611686018427387904)))
+(check-sat) ; expect unsat
+(pop 1)

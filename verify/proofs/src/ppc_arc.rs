@@ -15,9 +15,9 @@ use onepulse_core::{EndRule, Pulse, Sweep};
 fn lemmas(f: i64, t: i64, a: i64, sweep: &Sweep) -> bool {
     let peak = sweep.peak();
     let is_unit_circle = sweep.radius_rounded_up() == 1;
-    // before_peak: inside the circle, and not on the axis, a has not come to the peak.
+    // below_the_peak_while_inside: off the axis, a has not come to the peak.
     (f >= 0 || t < 1 || a < peak)
-        // at_crossing: the last column is left for the axis at the peak only.
+        // last_column_is_left_at_the_peak.
         && (f < 0 || t != 1 || a >= peak || is_unit_circle)
 }
 
@@ -152,7 +152,7 @@ fn ppc_arc_new_establishes_invariant() {
     let (start, end): ([i32; 2], [i32; 2]) = (kani::any(), kani::any());
     let direction = any_direction();
     let peak = i64::from(kani::any_where(|peak: &i32| *peak >= 1));
-    // start_below_peak: p² + 1 ≥ R², and p is no less than a coordinate alone.
+    // points_of_the_circle_are_not_above_the_peak.
     kani::assume(start.map(|c| i64::from(c).abs()).iter().all(|c| *c <= peak));
     let Ok(sweep) = Sweep::with_given_roots(start, end, direction, peak, peak as u64) else {
         kani::cover!(start[0] == 0 && start[1] == 0);

@@ -1,11 +1,13 @@
 //! The ledger: what is claimed, by what it is discharged, and what came of it.
 
-use super::beside::{run_lemma, run_sweep, run_test};
+use super::beside::{Beside, Kind};
 use super::claims::Claim;
 use super::outcome::{Outcome, Run};
+use super::tools::root;
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::time::Instant;
+use std::fs;
+use std::path::Path;
 
 /// What became of a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,9 +22,6 @@ pub(crate) enum Status {
     Open,
 }
 
-/// What else than harnesses discharges a claim: names, the engine, and what runs each.
-type Kind<'c> = (&'c [String], &'static str, fn(&str) -> Outcome);
-
 /// A claim and the outcomes of all that discharges it.
 pub(crate) struct Discharged<'c> {
     pub(crate) claim: &'c Claim,
@@ -31,11 +30,13 @@ pub(crate) struct Discharged<'c> {
     engines: Vec<&'static str>,
     /// Why it is open.
     why: String,
+    /// What its sweeps found.
+    found: Vec<String>,
 }
 
 impl<'c> Discharged<'c> {
     /// Adds up the harnesses that ran already, and runs what else there is.
-    pub(crate) fn new(claim: &'c Claim, runs: &BTreeMap<String, Run>) -> Self {
+    pub(crate) fn new(claim: &'c Claim, runs: &BTreeMap<String, Run>, beside: &mut Beside) -> Self {
         let mut seconds = 0.0;
         let mut engines = Vec::new();
         let mut open = Vec::new();
@@ -49,25 +50,30 @@ impl<'c> Discharged<'c> {
                 open.push(format!("{name} {}", run.outcome.word()));
             }
         }
-        let kinds: [Kind<'_>; 3] = [
-            (&claim.lemmas, "z3, cvc5", run_lemma),
-            (&claim.sweeps, "sweep", run_sweep),
-            (&claim.tests, "tests", run_test),
-        ];
-        for (names, engine, run) in kinds {
+        let mut found = Vec::new();
+        for (names, engine, kind) in [
+            (&claim.lemmas, "z3, cvc5", Kind::Lemmas),
+            (&claim.sweeps, "sweep", Kind::Sweep),
+            (&claim.tests, "tests", Kind::Test),
+        ] {
             if !names.is_empty() {
                 engines.push(engine);
             }
             for name in names {
-                let start = Instant::now();
-                match run(name) {
+                let done = beside.run(kind, name);
+                match &done.outcome {
                     Outcome::Proved => {}
-                    Outcome::CouldNotRun(why) | Outcome::Vacuous(why) => open.push(why),
+                    Outcome::CouldNotRun(why) | Outcome::Vacuous(why) => {
+                        open.push(format!("{name}: {why}"));
+                    }
                     Outcome::Fails(counterexample) => {
                         open.push(format!("{name} fails: {}", counterexample.what));
                     }
                 }
-                seconds += start.elapsed().as_secs_f64();
+                if kind == Kind::Sweep {
+                    found.push(format!("sweep {name}: {}", done.told));
+                }
+                seconds += done.time.as_secs_f64();
             }
         }
         let status = if engines.is_empty() || !open.is_empty() {
@@ -80,7 +86,7 @@ impl<'c> Discharged<'c> {
             Status::Proved
         };
         let why = if engines.is_empty() { "nothing was run".to_owned() } else { open.join("; ") };
-        Self { claim, status, seconds, engines, why }
+        Self { claim, status, seconds, engines, why, found }
     }
 
     /// One line for the reader at the terminal.
@@ -119,6 +125,9 @@ pub(crate) fn text(
         }
         if claim.status == Status::Open {
             let _ = write!(status, ": {}", claim.why);
+        }
+        if !claim.found.is_empty() {
+            let _ = write!(status, " ({})", claim.found.join("; "));
         }
         let more = if notes.is_empty() { String::new() } else { format!(" *{}*", cell(notes)) };
         let _ = writeln!(
@@ -175,13 +184,28 @@ const HARNESSES: &str = "
 /// Links to what discharges a claim.
 fn by(claim: &Claim, runs: &BTreeMap<String, Run>) -> String {
     let harnesses = runs.keys().filter(|name| claim.has(name)).map(|name| {
-        let file = claim.machine.replace('/', "_");
-        format!("[{name}](../verify/proofs/src/{file}.rs)")
+        let file = harness_file(name).unwrap_or_default();
+        format!("[{name}](../verify/proofs/src/{file})")
     });
     let lemmas = claim.lemmas.iter().map(|name| format!("[{name}](../verify/lemmas/{name}.smt2)"));
     let sweeps = claim.sweeps.iter().map(|id| format!("[sweep {id}](../verify/src/sweep)"));
     let tests = claim.tests.iter().map(|test| format!("test {test}"));
     harnesses.chain(lemmas).chain(sweeps).chain(tests).collect::<Vec<_>>().join(", ")
+}
+
+/// The file below `verify/proofs/src` that a harness is in.
+fn harness_file(name: &str) -> Option<String> {
+    let folder = root().join("verify/proofs/src");
+    let definition = format!("fn {name}()");
+    let in_folder = |inner: &Path| {
+        fs::read_dir(inner)
+            .ok()?
+            .flatten()
+            .map(|entry| entry.path())
+            .find(|path| fs::read_to_string(path).is_ok_and(|text| text.contains(&definition)))
+    };
+    let path = in_folder(&folder).or_else(|| in_folder(&folder.join("hardware")))?;
+    Some(path.strip_prefix(&folder).ok()?.display().to_string())
 }
 
 /// Text in a table's cell.

@@ -160,8 +160,9 @@ fn prove_claims(options: &Options) -> Result<bool, Error> {
     let runs = prover.run(&wanted, options);
     report::explain(&runs);
 
+    let mut beside = beside::Beside::default();
     let discharged: Vec<Discharged<'_>> =
-        asked.iter().map(|claim| Discharged::new(claim, &runs)).collect();
+        asked.iter().map(|claim| Discharged::new(claim, &runs, &mut beside)).collect();
     println!();
     for claim in &discharged {
         claim.tell();

@@ -35,5 +35,6 @@ pub use command::{Id, Options, run};
 pub use curve::{Case, Curve};
 pub use driver::{Driver, Shard};
 pub use outcome::Outcome;
+pub(crate) use outcome::described;
 pub use table::Table;
 pub use tally::{Fault, Share, Tally};
