@@ -6,7 +6,7 @@
 //! `docs/proofs/centred_arc.md`.
 
 use crate::any::any_binary_register;
-use crate::quadrant_walk::{any_place, distance, is_less, is_place};
+use crate::quadrant_walk::{any_place, any_start, distance, is_less, is_place};
 use onepulse_core::dda::CentredArc;
 use onepulse_core::{Direction, Feeds};
 
@@ -131,4 +131,26 @@ fn centred_arc_done_means_end_point() {
     if arc.is_done() {
         assert!(at[0] == end[0] && at[1] == end[1] && arc.remaining() == 0);
     }
+}
+
+#[kani::proof]
+fn centred_arc_new_establishes_invariant() {
+    let (sweep, start) = any_start();
+    let register = any_binary_register();
+    let Ok(arc) = CentredArc::along_given(sweep, start, register, kani::any()) else {
+        kani::cover!(register.digits() == 32);
+        return;
+    };
+    kani::cover!(arc.shift() > 0 && sweep.crossings_left() > 0);
+    assert!(arc.invariant());
+    assert!(is_place(arc.sweep(), arc.position()));
+    assert!(arc.shift() < register.digits());
+    let at = arc.position();
+    assert!(at[0] == i64::from(start[0]) && at[1] == i64::from(start[1]));
+    // Half a step ahead: a = ∓y₀·2^Q/2, rounded towards zero; b = 0.
+    let half = (register.modulus() / 2) as i64;
+    let [a, b] = arc.remainders().map(|jr| jr as i64 - half);
+    let scaled = i64::from(start[1]) << arc.shift();
+    let ahead = if sweep.direction() == Direction::Ccw { scaled } else { -scaled };
+    assert!(b == 0 && (2 * a - ahead).abs() <= 1 && (a == 0 || (a > 0) == (ahead > 0)));
 }

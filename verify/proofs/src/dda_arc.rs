@@ -3,8 +3,8 @@
 //! The harnesses assume that there is room for one pulse more in the integrands' registers. Whether an
 //! arc that crosses quadrants can come to their end is the sweeps' to say (see the claims).
 
-use crate::any::any_binary_register;
-use crate::quadrant_walk::{any_place, distance, is_less, is_place};
+use crate::any::{any_binary_register, any_preset};
+use crate::quadrant_walk::{any_place, any_start, distance, is_less, is_place};
 use onepulse_core::Feeds;
 use onepulse_core::dda::Arc;
 
@@ -89,4 +89,20 @@ fn dda_arc_done_means_end_point() {
     if arc.is_done() {
         assert!(at[0] == end[0] && at[1] == end[1] && arc.remaining() == 0);
     }
+}
+
+#[kani::proof]
+fn dda_arc_new_establishes_invariant() {
+    let (sweep, start) = any_start();
+    let register = any_binary_register();
+    let Ok(arc) = Arc::along_given(sweep, start, register, any_preset(), kani::any()) else {
+        kani::cover!(register.digits() == 31);
+        return;
+    };
+    kani::cover!(arc.shift() > 0 && sweep.crossings_left() > 0);
+    assert!(arc.invariant());
+    assert!(is_place(arc.sweep(), arc.position()));
+    assert!(arc.shift() < register.digits());
+    let at = arc.position();
+    assert!(at[0] == i64::from(start[0]) && at[1] == i64::from(start[1]));
 }

@@ -1,7 +1,7 @@
 //! What the two arcs by digital integration have in common: a sweep, a point in the quadrant that
 //! it says, and how far it is from being done.
 
-use crate::any::any_sweep;
+use crate::any::{any_direction, any_sweep};
 use onepulse_core::{Feed, Feeds, Sweep};
 
 /// A sweep and a point on its way: in the quadrant, where the coordinate that is fed towards zero
@@ -14,6 +14,24 @@ pub(crate) fn any_place() -> (Sweep, [i64; 2]) {
     kani::assume(is_side(towards, t, -1) && is_side(away, a, 1));
     kani::assume(t != 0 || sweep.crossings_left() == 0);
     (sweep, position)
+}
+
+/// A start, and the sweep from there to any end; R rounded up is no less than a coordinate
+/// of the start, and `i32::MAX` at most.
+pub(crate) fn any_start() -> (Sweep, [i32; 2]) {
+    let (start, end): ([i32; 2], [i32; 2]) = (kani::any(), kani::any());
+    let radius = kani::any_where(|radius: &i32| *radius >= 1);
+    for axis in 0..2 {
+        kani::assume(i64::from(start[axis]).abs() <= i64::from(radius));
+    }
+    let (peak, rounded_up) = (i64::from(radius), u64::from(radius.unsigned_abs()));
+    match Sweep::with_given_roots(start, end, any_direction(), peak, rounded_up) {
+        Ok(sweep) => (sweep, start),
+        Err(_) => {
+            kani::assume(false);
+            unreachable!("the centre is neither start nor end")
+        }
+    }
 }
 
 /// Whether a coordinate is zero, or on the side that its feed comes from (−1) or leads to (1).

@@ -14,6 +14,8 @@ use std::path::Path;
 pub(crate) enum Status {
     /// By harnesses, lemmas or sweeps, all of which hold.
     Proved,
+    /// By sweeps alone, which come to every curve of their domain.
+    Swept,
     /// By tests alone, all of which pass.
     Tested,
     /// False, and the counterexample was found.
@@ -80,6 +82,8 @@ impl<'c> Discharged<'c> {
             Status::Open
         } else if claim.false_with.is_some() {
             Status::False
+        } else if engines == ["sweep"] {
+            Status::Swept
         } else if engines == ["tests"] {
             Status::Tested
         } else {
@@ -103,6 +107,7 @@ impl<'c> Discharged<'c> {
         match self.status {
             Status::Proved if self.engines.contains(&"native") => "tried",
             Status::Proved => "proved",
+            Status::Swept => "swept",
             Status::Tested => "tested",
             Status::False => "false",
             Status::Open => "unproved",
@@ -167,7 +172,7 @@ What is claimed of the interpolators, and by what. Written by
     cargo run --release -p onepulse-verify -- prove --write docs/theorems.md
 
 A claim is *proved* when all its harnesses, lemmas and sweeps hold and none of them is vacuous: every cover is met, and
-what assumes something covers something. *Tested* stands on tests alone. *False* claims are shown with the counterexample that
+what assumes something covers something. *Swept* stands on every single curve of its domain, *tested* on tests alone. *False* claims are shown with the counterexample that
 their sweep finds. How harnesses are run is told in [verify/proofs](../verify/proofs/README.md).
 
 | id | machine | statement | domain | engines | by | s | status |
