@@ -11,6 +11,10 @@
 //!
 //! The tests of this crate hold the machines of `onepulse-core` against them, exhaustively at
 //! narrow widths and at random at full width.
+//!
+//! Beside them stand [`prover`], which holds the claims of `verify/claims.toml` to their harnesses and
+//! writes the ledger; [`lemmas`], the mathematics, put to two solvers; [`sweep`], every curve of
+//! narrow registers; and [`cosim`] and [`rtl_formal`], the circuits against their Verilog twins.
 
 pub mod brm_line;
 pub mod cosim;

@@ -1,5 +1,5 @@
 /* Products, for a solver. By far most of them are a sign times a number: told so, the solver need
-   not find out through a multiplier of 64 bits (seconds instead of hours). The value is that of
+   not find out through a multiplier of 64 bits (seconds instead of minutes). The value is that of
    the plain product in every case. */
 
 static inline u32 times_32(u32 a, u32 b) {
