@@ -91,8 +91,6 @@ fn cbmc(
         .args(["--function", &source::entry(&harness.name), "--json-ui"])
         // Rust's own checks are in the code; those of C would only find fault with wasm2c.
         .args(["--no-standard-checks", "--unwinding-assertions"])
-        // What a property does not depend on is left out.
-        .arg("--slice-formula")
         // `loop {}` is an endless loop and not a promise that it is never reached.
         .arg("--no-self-loops-to-assumptions")
         .args(["--unwind", &unwind])
@@ -101,6 +99,10 @@ fn cbmc(
         .args(["--unwindset", &memory_loops])
         .args(more)
         .env("PATH", search_path());
+    if more.is_empty() {
+        // What a property does not depend on is left out. A trace wants all of it.
+        command.arg("--slice-formula");
+    }
     match solver(harness) {
         "minisat" => {}
         "cadical" => {
