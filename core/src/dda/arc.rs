@@ -40,10 +40,21 @@ impl Arc {
         normalize: bool,
     ) -> Result<Self, Error> {
         let sweep = Sweep::new(start, end, direction)?;
+        Self::along(sweep, start, register, preset, normalize)
+    }
+
+    /// The arc from `start` along a sweep that begins there.
+    fn along(
+        sweep: Sweep,
+        start: [i32; 2],
+        register: Register,
+        preset: Preset,
+        normalize: bool,
+    ) -> Result<Self, Error> {
         if register.radix() != Radix::Binary {
             return Err(Error::ArcNeedsBinary);
         }
-        let needed = Self::bits(start, end, direction)?;
+        let needed = Self::bits_along(&sweep);
         if register.digits() < needed {
             return Err(Error::RegisterTooNarrow { digits: register.digits(), needed });
         }
@@ -61,6 +72,18 @@ impl Arc {
             shift,
             register,
         })
+    }
+
+    /// The arc from `start` along a sweep that begins there: [`Arc::new`] without its roots.
+    #[cfg(feature = "proofs")]
+    pub fn along_given(
+        sweep: Sweep,
+        start: [i32; 2],
+        register: Register,
+        preset: Preset,
+        normalize: bool,
+    ) -> Result<Self, Error> {
+        Self::along(sweep, start, register, preset, normalize)
     }
 
     /// The arc in this state, reachable or not.
@@ -85,11 +108,14 @@ impl Arc {
     /// # Errors
     /// As [`Sweep::new`].
     pub fn bits(start: [i32; 2], end: [i32; 2], direction: Direction) -> Result<u32, Error> {
+        Ok(Self::bits_along(&Sweep::new(start, end, direction)?))
+    }
+
+    fn bits_along(sweep: &Sweep) -> u32 {
         const GROWTH: u64 = 5;
-        let sweep = Sweep::new(start, end, direction)?;
         let crosses = sweep.crossings_left() > 0;
         let growth = if crosses { GROWTH } else { 0 };
-        Ok((sweep.largest_coordinate() + growth).ilog2() + 1)
+        (sweep.largest_coordinate() + growth).ilog2() + 1
     }
 
     /// One accumulation of both integrators; `None` once the end point is reached.

@@ -43,11 +43,20 @@ impl CentredArc {
         register: Register,
         normalize: bool,
     ) -> Result<Self, Error> {
-        let sweep = Sweep::new(start, end, direction)?;
+        Self::along(Sweep::new(start, end, direction)?, start, register, normalize)
+    }
+
+    /// The arc from `start` along a sweep that begins there.
+    fn along(
+        sweep: Sweep,
+        start: [i32; 2],
+        register: Register,
+        normalize: bool,
+    ) -> Result<Self, Error> {
         if register.radix() != Radix::Binary {
             return Err(Error::ArcNeedsBinary);
         }
-        let needed = Self::bits(start, end, direction)?;
+        let needed = Self::bits_along(&sweep);
         if register.digits() < needed {
             return Err(Error::RegisterTooNarrow { digits: register.digits(), needed });
         }
@@ -60,6 +69,17 @@ impl CentredArc {
             Direction::Cw => -scaled / 2,
         };
         Ok(Self { position, jr: [(half + ahead) as u64, half as u64], sweep, shift, register })
+    }
+
+    /// The arc from `start` along a sweep that begins there: [`CentredArc::new`] without its roots.
+    #[cfg(feature = "proofs")]
+    pub fn along_given(
+        sweep: Sweep,
+        start: [i32; 2],
+        register: Register,
+        normalize: bool,
+    ) -> Result<Self, Error> {
+        Self::along(sweep, start, register, normalize)
     }
 
     /// The arc in this state, reachable or not.
@@ -84,8 +104,11 @@ impl CentredArc {
     /// # Errors
     /// As [`Sweep::new`].
     pub fn bits(start: [i32; 2], end: [i32; 2], direction: Direction) -> Result<u32, Error> {
-        let sweep = Sweep::new(start, end, direction)?;
-        Ok(sweep.largest_coordinate().ilog2() + 2)
+        Ok(Self::bits_along(&Sweep::new(start, end, direction)?))
+    }
+
+    fn bits_along(sweep: &Sweep) -> u32 {
+        sweep.largest_coordinate().ilog2() + 2
     }
 
     /// One clock: x, then y; `None` once the end point is reached.

@@ -1,7 +1,7 @@
 //! What the two arcs by digital integration have in common: a sweep, a point in the quadrant that
 //! it says, and how far it is from being done.
 
-use crate::any::any_sweep;
+use crate::any::{any_direction, any_sweep};
 use onepulse_core::{Feed, Feeds, Sweep};
 
 /// A sweep and a point on its way: in the quadrant, where the coordinate that is fed towards zero
@@ -14,6 +14,22 @@ pub(crate) fn any_place() -> (Sweep, [i64; 2]) {
     kani::assume(is_side(towards, t, -1) && is_side(away, a, 1));
     kani::assume(t != 0 || sweep.crossings_left() == 0);
     (sweep, position)
+}
+
+/// The sweep from any start that has a circle to any end that has a direction, and the start. Of the
+/// radius no more is known than that no coordinate of the start exceeds it.
+pub(crate) fn any_start() -> (Sweep, [i32; 2]) {
+    let (start, end): ([i32; 2], [i32; 2]) = (kani::any(), kani::any());
+    let radius = kani::any_where(|radius: &i32| *radius >= 1);
+    kani::assume(start.map(|c| i64::from(c).abs()).iter().all(|c| *c <= i64::from(radius)));
+    let rounded_up = u64::from(radius.unsigned_abs());
+    match Sweep::with_given_roots(start, end, any_direction(), i64::from(radius), rounded_up) {
+        Ok(sweep) => (sweep, start),
+        Err(_) => {
+            kani::assume(false);
+            unreachable!("the centre is no start and no end")
+        }
+    }
 }
 
 /// Whether a coordinate is zero, or on the side that its feed comes from (−1) or leads to (1).
