@@ -79,15 +79,17 @@ impl Judge {
         Ok(Verdict { mutant: mutant.name(), by, found })
     }
 
-    /// Whether the prover finds a mutant by the harness that it is for.
+    /// Whether a mutant is found by the harness that it is for: by the prover, if it is used.
     pub(super) fn finds(&self, by_hand: &ByHand) -> Result<bool, String> {
         let harnesses = [by_hand.harness.clone()];
-        let solved = self.workspace.with(
-            &by_hand.file,
-            |source| by_hand.applied(source),
-            |workspace| solve(workspace, &harnesses, self.timeout),
-        )?;
-        Ok(!solved.failed.is_empty())
+        let change = |source: &str| by_hand.applied(source);
+        self.workspace.with(&by_hand.file, change, |workspace| {
+            if self.proves {
+                return Ok(!solve(workspace, &harnesses, self.timeout)?.failed.is_empty());
+            }
+            let test = format!("::__test_{}", by_hand.harness);
+            Ok(self.tests(PROOFS, &[test])?.is_some_and(|ran| ran.found()))
+        })
     }
 
     fn tests(&self, package: &str, beginnings: &[String]) -> Result<Option<Ran>, String> {

@@ -102,7 +102,7 @@ pub fn run(options: &Options) -> Result<(), String> {
     let is_whole = done.len() == asked.len();
     if is_whole {
         for by_hand in explained.by_hand.iter().filter(|by_hand| is_asked(&by_hand.file)) {
-            if !options.natively && judges[0].finds(by_hand)? {
+            if judges[0].finds(by_hand)? {
                 report.add_by_hand(by_hand);
             }
         }
@@ -111,15 +111,15 @@ pub fn run(options: &Options) -> Result<(), String> {
     if let Some(path) = &options.write {
         write(path, &report.document(specified))?;
     }
-    for entry in explained.outdated(&mutants) {
+    let outdated = explained.outdated(&mutants);
+    for entry in &outdated {
         println!("verify/mutants.toml explains what is no mutant: {} {}", entry.file, entry.line);
     }
     let idle = if is_whole { report.idle() } else { Vec::new() };
     for harness in &idle {
         println!("{harness} finds no mutant");
     }
-    let is_outdated = !explained.outdated(&mutants).is_empty();
-    if report.survivors() == 0 && idle.is_empty() && !is_outdated {
+    if report.survivors() == 0 && idle.is_empty() && outdated.is_empty() {
         return Ok(());
     }
     Err("the harnesses do not see everything".to_owned())

@@ -33,8 +33,8 @@ pub(super) fn solve(
         .map_err(|why| why.to_string())?;
     let said = String::from_utf8_lossy(&output.stderr);
     let solved = Solved::of(&said, harnesses);
-    let is_told = !solved.failed.is_empty() || !solved.undecided.is_empty();
-    if output.status.success() != !is_told {
+    let all_hold = solved.failed.is_empty() && solved.undecided.is_empty();
+    if output.status.success() != all_hold {
         return Err(format!("the prover cannot be understood: {said}"));
     }
     Ok(solved)
