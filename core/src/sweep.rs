@@ -293,11 +293,25 @@ mod tests {
         use Direction::{Ccw, Cw};
         assert_eq!(crossings([5, 0], [5, 0], Ccw), Ok(3));
         assert_eq!(crossings([3, 4], [3, 4], Cw), Ok(4));
+        assert_eq!(crossings([3, 4], [3, 4], Ccw), Ok(4));
         assert_eq!(crossings([5, 0], [0, 5], Ccw), Ok(0));
         assert_eq!(crossings([5, 0], [0, 5], Cw), Ok(2));
         assert_eq!(crossings([3, 4], [4, 3], Cw), Ok(0));
         assert_eq!(crossings([3, 4], [4, 3], Ccw), Ok(4));
         assert_eq!(crossings([5, 0], [6, 0], Ccw), Ok(3));
+    }
+
+    #[test]
+    fn roots_are_rounded_up() {
+        for start in (0..40).flat_map(|x| (1..40).map(move |y| [x, y])) {
+            let sweep = Sweep::new(start, start, Direction::Ccw).unwrap();
+            let squared = radius_squared(start);
+            let radius = sweep.radius_rounded_up();
+            assert!((radius - 1).pow(2) < squared && squared <= radius.pow(2));
+            let peak = sweep.peak() as u64;
+            let is_before = (peak - 1).pow(2) + 1 < squared;
+            assert!(is_before == (squared > 1) && squared <= peak.pow(2) + 1);
+        }
     }
 
     #[test]

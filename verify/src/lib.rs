@@ -26,6 +26,7 @@ pub mod lemmas;
 mod mutant;
 pub mod ppc_arc;
 pub mod ppc_line;
+pub mod proof_mutants;
 pub mod prover;
 pub mod rtl_formal;
 pub mod sweep;

@@ -1,7 +1,7 @@
 //! The checks that are programs of their own.
 
 use clap::{Parser, Subcommand};
-use onepulse_verify::{cosim, lemmas, prover, rtl_formal, sweep};
+use onepulse_verify::{cosim, lemmas, proof_mutants, prover, rtl_formal, sweep};
 use std::process::ExitCode;
 
 #[derive(Parser)]
@@ -21,6 +21,8 @@ enum Check {
     Prove(prover::Options),
     /// The mathematics of the proofs, by two solvers (needs z3 and cvc5)
     Lemmas(lemmas::Options),
+    /// Whether the harnesses see every small change of the machines (see docs/mutants.md)
+    Mutants(proof_mutants::Options),
     /// The properties of the Verilog twins, by induction (needs Yosys and Yices)
     RtlFormal(rtl_formal::Options),
     /// Every curve of narrow registers: what holds, and what does not
@@ -32,6 +34,7 @@ fn main() -> ExitCode {
         Check::Cosim(options) => cosim::run(&options),
         Check::Prove(options) => prover::run(&options),
         Check::Lemmas(options) => lemmas::run(&options),
+        Check::Mutants(options) => proof_mutants::run(&options),
         Check::RtlFormal(options) => rtl_formal::run(&options),
         Check::Sweep(options) => sweep::run(&options),
     };

@@ -284,6 +284,13 @@ impl Arc {
         self.left[TOWARDS] == towards && self.left[AWAY] == away
     }
 
+    /// The axis that had more pulses to go at the start of the arc.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub const fn larger(&self) -> Axis {
+        self.larger
+    }
+
     /// From the order of the motions to that of the axes.
     #[inline]
     fn by_axis<T: Copy>(&self, [towards, away]: [T; 2]) -> [T; 2] {

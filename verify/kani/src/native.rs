@@ -11,6 +11,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 const RANDOM_RUNS: u32 = 3_000;
 const RANDOM_TRIES: u32 = 100_000;
 
+/// As many random runs instead, and less of all else in proportion: for runs of many mutants.
+const RUNS: &str = "ONEPULSE_RUNS";
+
 /// Runs that enumeration may take in all. It starts at one bit and goes on for as long as a width
 /// can be finished.
 const NARROW_TRIES: u32 = 200_000;
@@ -50,10 +53,18 @@ pub fn check(name: &str, harness: fn()) {
     );
 }
 
+/// A number of runs or tries, in proportion to the random runs that are asked for.
+fn effort(usual: u32) -> u32 {
+    let runs = std::env::var(RUNS).ok().and_then(|runs| runs.parse::<u32>().ok());
+    let part = u64::from(usual) * u64::from(runs.unwrap_or(RANDOM_RUNS)) / u64::from(RANDOM_RUNS);
+    u32::try_from(part).unwrap_or(u32::MAX).max(1)
+}
+
 fn at_random(name: &str, harness: fn()) -> (u32, u32) {
+    let (runs, tries) = (effort(RANDOM_RUNS), effort(RANDOM_TRIES));
     let mut accepted = 0;
-    for attempt in 0..RANDOM_TRIES {
-        if accepted == RANDOM_RUNS {
+    for attempt in 0..tries {
+        if accepted == runs {
             return (accepted, attempt);
         }
         let seed = name.bytes().fold(u64::from(attempt), |seed, byte| {
@@ -62,12 +73,12 @@ fn at_random(name: &str, harness: fn()) -> (u32, u32) {
         SOURCE.set(Source::random(seed));
         accepted += u32::from(matches!(run(name, harness), Ending::Accepted));
     }
-    (accepted, RANDOM_TRIES)
+    (accepted, tries)
 }
 
 /// The widest width that all values were run of, and in how many runs.
 fn exhaustively(name: &str, harness: fn()) -> (u32, u32) {
-    let mut left = NARROW_TRIES;
+    let mut left = effort(NARROW_TRIES);
     let mut finished = (0, 0);
     for width in 1.. {
         let mut runs = 0;

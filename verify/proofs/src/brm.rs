@@ -36,6 +36,7 @@ fn brm_step_passes_one_stage() {
     assert!((pulse.0[0] != 0) == (u64::from(end.unsigned_abs()) & gate != 0));
     assert!(pulse.0[0] == 0 || i32::from(pulse.0[0]) == end.signum());
     assert!(line.position()[0] == position + i64::from(pulse.0[0]));
+    assert!(line.residual()[0] == i64::from(end) - line.position()[0]);
     assert!(line.clock() == clock + 1);
     assert!(line.remaining() + 1 == register.modulus() - clock);
 

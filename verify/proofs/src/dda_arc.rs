@@ -21,6 +21,35 @@ fn any_state() -> Arc {
     arc
 }
 
+/// A register serves the arc if the largest coordinate fits, and with crossings 5 more. Normalization
+/// shifts the start's larger coordinate to the second bit, if what must fit does not forbid it.
+#[kani::proof]
+fn dda_arc_new_establishes_invariant() {
+    let (sweep, start) = any_start();
+    let (register, preset, normalize) = (any_binary_register(), any_preset(), kani::any());
+    let modulus = register.modulus();
+    let crosses = sweep.crossings_left() > 0;
+    let largest = sweep.largest_coordinate() + if crosses { 5 } else { 0 };
+    let Ok(arc) = Arc::along_given(sweep, start, register, preset, normalize) else {
+        assert!(largest >= modulus);
+        return;
+    };
+    kani::cover!(crosses && arc.shift() > 0);
+    assert!(largest < modulus && largest << arc.shift() < modulus);
+    let at_start = u64::from(start[0].unsigned_abs().max(start[1].unsigned_abs()));
+    assert!(arc.shift() == 0 || normalize && at_start << arc.shift() < modulus / 2);
+    assert!(
+        !normalize
+            || at_start << arc.shift() >= modulus / 4
+            || largest << (arc.shift() + 1) >= modulus
+    );
+    let (at, jr) = (arc.position(), arc.remainders());
+    assert!(at[0] == i64::from(start[0]) && at[1] == i64::from(start[1]));
+    assert!(jr[0] == preset.value(register) && jr[1] == jr[0]);
+    assert!(arc.invariant());
+    assert!(is_place(arc.sweep(), at));
+}
+
 /// D1: an accumulation adds the integrand as it was to what remainder and pulse are worth together;
 /// a pulse is one step where the quadrant leads; an axis that stands does nothing.
 #[kani::proof]
@@ -89,20 +118,8 @@ fn dda_arc_done_means_end_point() {
     if arc.is_done() {
         assert!(at[0] == end[0] && at[1] == end[1] && arc.remaining() == 0);
     }
-}
-
-#[kani::proof]
-fn dda_arc_new_establishes_invariant() {
-    let (sweep, start) = any_start();
-    let register = any_binary_register();
-    let Ok(arc) = Arc::along_given(sweep, start, register, any_preset(), kani::any()) else {
-        kani::cover!(register.digits() == 31);
-        return;
-    };
-    kani::cover!(arc.shift() > 0 && sweep.crossings_left() > 0);
-    assert!(arc.invariant());
-    assert!(is_place(arc.sweep(), arc.position()));
-    assert!(arc.shift() < register.digits());
-    let at = arc.position();
-    assert!(at[0] == i64::from(start[0]) && at[1] == i64::from(start[1]));
+    // The sum of the two end counters.
+    if arc.sweep().crossings_left() == 0 {
+        assert!(arc.remaining() == at[0].abs_diff(end[0]) + at[1].abs_diff(end[1]));
+    }
 }

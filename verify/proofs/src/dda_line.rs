@@ -98,6 +98,8 @@ fn dda_line_new_establishes_invariant() {
     assert!(line.position()[0] == 0);
     if normalize && end != 0 {
         assert!(line.integrands()[0] >= register.modulus() / 2);
+    } else {
+        assert!(line.shift() == 0);
     }
 }
 

@@ -8,7 +8,7 @@
 use crate::any::{any_axis, any_direction, any_rule, any_sweep};
 use crate::product::square;
 use onepulse_core::ppc::Arc;
-use onepulse_core::{EndRule, Pulse, Sweep};
+use onepulse_core::{Axis, EndRule, Pulse, Sweep};
 
 /// What follows for t, the coordinate fed towards zero, and a, the one fed away from it, from
 /// F = t² + a² − R² and the largest coordinate p = ⌈√(R² − 1)⌉ (1 for R = 1).
@@ -61,6 +61,7 @@ fn ppc_arc_step_follows_deviation() {
     let at = before.position();
     let stands = before.sweep().stands(at);
     let feeds = before.sweep().feeds();
+    let judged = before.judge();
     let Some(pulse) = arc.step() else {
         assert!(before.is_done());
         return;
@@ -71,6 +72,7 @@ fn ppc_arc_step_follows_deviation() {
 
     let [dx, dy] = pulse.0.map(i64::from);
     assert!(dx.abs() + dy.abs() == 1);
+    assert!(judged.axis.of(pulse.0) == judged.sign);
     let to = arc.position();
     assert!(to[0] == at[0] + dx && to[1] == at[1] + dy);
     assert!(to[0].abs() <= 1 << 31 && to[1].abs() <= 1 << 31);
@@ -165,6 +167,8 @@ fn ppc_arc_new_establishes_invariant() {
     kani::cover!(sweep.crossings_left() == 0);
     assert!(arc.invariant());
     assert!(arc.deviation_function() == 0);
+    let [x, y] = arc.pulses_to_go();
+    assert!(arc.larger() == if x >= y { Axis::X } else { Axis::Y });
     let at = arc.position();
     assert!(at[0] == i64::from(start[0]) && at[1] == i64::from(start[1]));
 }

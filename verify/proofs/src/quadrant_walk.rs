@@ -16,20 +16,18 @@ pub(crate) fn any_place() -> (Sweep, [i64; 2]) {
     (sweep, position)
 }
 
-/// A start, and the sweep from there to any end; R rounded up is no less than a coordinate
-/// of the start, and `i32::MAX` at most.
+/// The sweep from any start that has a circle to any end that has a direction, and the start. Of the
+/// radius no more is known than that no coordinate of the start exceeds it.
 pub(crate) fn any_start() -> (Sweep, [i32; 2]) {
     let (start, end): ([i32; 2], [i32; 2]) = (kani::any(), kani::any());
     let radius = kani::any_where(|radius: &i32| *radius >= 1);
-    for axis in 0..2 {
-        kani::assume(i64::from(start[axis]).abs() <= i64::from(radius));
-    }
-    let (peak, rounded_up) = (i64::from(radius), u64::from(radius.unsigned_abs()));
-    match Sweep::with_given_roots(start, end, any_direction(), peak, rounded_up) {
+    kani::assume(start.map(|c| i64::from(c).abs()).iter().all(|c| *c <= i64::from(radius)));
+    let rounded_up = u64::from(radius.unsigned_abs());
+    match Sweep::with_given_roots(start, end, any_direction(), i64::from(radius), rounded_up) {
         Ok(sweep) => (sweep, start),
         Err(_) => {
             kani::assume(false);
-            unreachable!("the centre is neither start nor end")
+            unreachable!("the centre is no start and no end")
         }
     }
 }

@@ -19,7 +19,7 @@ mod progress;
 mod report;
 mod self_test;
 mod source;
-mod tools;
+pub(crate) mod tools;
 mod verdict;
 
 pub use error::Error;

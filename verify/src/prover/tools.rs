@@ -7,8 +7,14 @@ use std::process::Command;
 /// Where `tools/install-proof-tools` unpacks, seen from the repository's root.
 const FOLDER: &str = "target/proof-tools/bin";
 
+/// Names another copy of the repository whose harnesses are to be proved: one with a mutant in it.
+pub(crate) const ROOT: &str = "ONEPULSE_ROOT";
+
 /// The root of the repository.
 pub(crate) fn root() -> PathBuf {
+    if let Some(root) = std::env::var_os(ROOT) {
+        return root.into();
+    }
     let verify = Path::new(env!("CARGO_MANIFEST_DIR"));
     verify.parent().unwrap_or(verify).to_owned()
 }
