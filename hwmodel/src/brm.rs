@@ -1,6 +1,6 @@
 //! The circuit of the binary rate multiplier.
 
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
 use crate::{Circuit, word::mask};
 use onepulse_core::{self as software, Error, Pulse};
 

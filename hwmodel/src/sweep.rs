@@ -1,6 +1,6 @@
 //! The control of an arc's sweep: quadrant, crossings and the two end counters.
 
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
 use crate::word::{signed, wrap};
 use onepulse_core::{self as software, Axis, Direction, Error, Feeds, Quadrant};
 

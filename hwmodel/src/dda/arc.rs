@@ -1,6 +1,6 @@
 //! The textbook's circuit of an arc by digital integration.
 
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
 use crate::word::{mask, signed};
 use crate::{Circuit, Sweep};
 use onepulse_core::dda::{self, Preset, Radix, Register};

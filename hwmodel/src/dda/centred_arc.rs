@@ -1,6 +1,6 @@
 //! The circuit of the centred staggered arc.
 
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
 use crate::word::{mask, signed, wrap};
 use crate::{Circuit, Sweep};
 use onepulse_core::dda::{self, Radix, Register};

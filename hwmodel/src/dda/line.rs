@@ -1,6 +1,6 @@
 //! The circuit of a straight line by digital integration.
 
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
 use crate::{Circuit, word::mask};
 use onepulse_core::dda::{self, Preset, Radix, Register};
 use onepulse_core::{Error, Pulse};

@@ -1,7 +1,7 @@
 //! The circuit of an arc by point-by-point comparison.
 
 use super::{Beat, end::EndCounter};
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
 use crate::word::{mask, signed, wrap};
 use crate::{Circuit, Sweep};
 use onepulse_core::dda::{Radix, Register};

@@ -1,6 +1,6 @@
 //! The down counter of the end rules "total" and "larger".
 
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
 use onepulse_core::{Axis, EndRule};
 
 /// A down counter that counts the pulses of both axes, or of the larger one alone.

@@ -2,7 +2,7 @@
 
 use super::{Beat, end::EndCounter};
 use crate::Circuit;
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
 use crate::word::{signed, wrap};
 use onepulse_core::dda::{Radix, Register};
 use onepulse_core::{Axis, EndRule, Error, Pulse};
