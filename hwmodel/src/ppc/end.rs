@@ -26,6 +26,12 @@ impl EndCounter {
         Self { rule, larger, e }
     }
 
+    /// The counter in this state, reachable or not.
+    #[cfg(feature = "proofs")]
+    pub(super) const fn in_state(rule: EndRule, larger: Axis, e: u64) -> Self {
+        Self { rule, larger, e }
+    }
+
     /// Whether the end is reached; `axes_done` says so for the two counters.
     #[inline(always)]
     pub(super) const fn done(&self, axes_done: bool) -> bool {
