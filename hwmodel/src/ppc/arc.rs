@@ -2,6 +2,8 @@
 
 use super::{Beat, end::EndCounter};
 use crate::probe::{Kind, Probe};
+#[cfg(feature = "proofs")]
+use crate::word::same;
 use crate::word::{mask, signed, wrap};
 use crate::{Circuit, Sweep};
 use onepulse_core::dda::{Radix, Register};
@@ -71,6 +73,36 @@ impl Arc {
     /// The circuit after a load under the rule of two counters.
     pub(crate) const fn loaded_per_axis(c: [u64; 2], sweep: Sweep, bits: u32) -> Self {
         Self::loaded(c, sweep, EndCounter::new(EndRule::PerAxis, [0; 2]), bits)
+    }
+
+    /// The circuit in this state at the start of a step, reachable or not; `e` is what the counter of
+    /// the end rule holds, which counts `larger` under the third.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn in_state(
+        due: Axis,
+        f: i64,
+        c: [u64; 2],
+        sweep: Sweep,
+        (rule, larger, e): (EndRule, Axis, u64),
+        bits: u32,
+    ) -> Self {
+        let (f, end) = (wrap(f, bits + 2), EndCounter::in_state(rule, larger, e));
+        Self { registers: Registers { beat: Beat::Judge, due, f, c, sweep, end }, bits }
+    }
+
+    /// Whether every register agrees with that of another circuit, but for the axis that was due last:
+    /// each step begins by writing it.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn agrees_with(&self, other: &Self) -> bool {
+        let (q, r) = (&self.registers, &other.registers);
+        q.beat == r.beat
+            && q.f == r.f
+            && same(q.c, r.c)
+            && q.sweep.agrees_after_look(&r.sweep)
+            && q.end == r.end
+            && self.bits == other.bits
     }
 
     /// The circuit after a reset.

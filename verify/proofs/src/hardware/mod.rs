@@ -5,7 +5,11 @@
 //! leave a pair behind; so the two go on together, for runs of any length.
 
 mod brm_line;
+mod centred_arc;
+mod dda_arc;
 mod dda_line;
+mod integration;
+mod ppc_arc;
 mod ppc_line;
 
 use onepulse_core::Pulse;
