@@ -231,11 +231,17 @@ impl Sweep {
     }
 
     /// The next quadrant. What was fed away from zero is fed towards it now.
-    #[cold]
+    ///
+    /// Seldom needed, so that it is kept out of the way; but a proof has to have everything in one
+    /// place.
+    #[cfg_attr(not(feature = "proofs"), cold)]
+    #[cfg_attr(feature = "proofs", inline(always))]
     fn cross(&mut self) {
         self.quadrant = self.quadrant.next(self.direction);
         self.crossings -= 1;
-        self.feeds_negative[usize::from(!self.towards_is_y)] ^= true;
+        // The axis fed towards zero goes on in its direction, the other turns round.
+        let [x, y] = self.feeds_negative;
+        self.feeds_negative = [x ^ self.towards_is_y, y ^ !self.towards_is_y];
         self.towards_is_y ^= true;
     }
 

@@ -32,7 +32,7 @@ fn hardware_ppc_line_clocks_are_a_step() {
     let bits = u32::from(kani::any_where(|bits: &u8| (1..=32).contains(bits)));
     kani::assume(end.iter().all(|c| u64::from(c.unsigned_abs()) >> bits == 0));
     let mut circuit = related(&line, end, rule, bits, any_axis());
-    kani::cover!(line.is_done() && line.residual()[0] != 0);
+    kani::cover!(line.is_done() && line.residual()[1] != 0);
     match line.step() {
         Some(pulse) => {
             kani::cover!(pulse.0[0] == -1);
