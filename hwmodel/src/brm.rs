@@ -1,6 +1,8 @@
 //! The circuit of the binary rate multiplier.
 
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
+#[cfg(feature = "proofs")]
+use crate::word::same;
 use crate::{Circuit, word::mask};
 use onepulse_core::{self as software, Error, Pulse};
 
@@ -53,6 +55,31 @@ impl<const AXES: usize> Line<AXES> {
     /// The circuit after a load of these contents, which starts it.
     pub(crate) const fn loaded(value: [u64; AXES], negative: [bool; AXES], bits: u32) -> Self {
         Self { registers: Registers { divider: 0, tg: true }, value, negative, bits }
+    }
+
+    /// The circuit in this state, reachable or not.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub const fn in_state(
+        divider: u64,
+        tg: bool,
+        value: [u64; AXES],
+        negative: [bool; AXES],
+        bits: u32,
+    ) -> Self {
+        Self { registers: Registers { divider, tg }, value, negative, bits }
+    }
+
+    /// Whether every register agrees with that of another circuit.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn agrees_with(&self, other: &Self) -> bool {
+        let (q, r) = (self.registers, other.registers);
+        q.divider == r.divider
+            && q.tg == r.tg
+            && same(self.value, other.value)
+            && same(self.negative, other.negative)
+            && self.bits == other.bits
     }
 
     /// The circuit after a reset.

@@ -1,6 +1,6 @@
 //! What every circuit can do: show its outputs, take a clock edge, be traced.
 
-use crate::trace::Probe;
+use crate::probe::Probe;
 use onepulse_core::Pulse;
 
 /// A clocked circuit that interpolates one curve.

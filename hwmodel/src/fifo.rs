@@ -1,6 +1,6 @@
 //! A queue of commands.
 
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
 
 /// A ring of entries and two pointers, with one bit more than an address: equal pointers mean an
 /// empty queue, pointers that differ in the highest bit alone a full one.

@@ -17,7 +17,8 @@
 //! [`interpolator::Interpolator`] is the whole machine: all engines behind a decoder and a [`Fifo`] of
 //! commands, with a pulse source for the feed, and with a [`StepDir`] for each axis' drive.
 //!
-//! [`trace`] writes their waves as VCD or FST.
+//! `trace` writes their waves as VCD or FST. Without the feature `waves` it is left out, and what is left,
+//! the circuits alone, needs neither the standard library nor memory to allocate.
 //!
 //! ```
 //! use onepulse_core::{Pulse, dda::Preset};
@@ -29,6 +30,7 @@
 //! assert_eq!(circuit.pulses(), Pulse([1, 1])); // 4 + 4 and 6 + 6 overflow
 //! # Ok::<(), onepulse_core::Error>(())
 //! ```
+#![cfg_attr(not(any(test, feature = "waves")), no_std)]
 
 pub mod brm;
 mod circuit;
@@ -36,12 +38,15 @@ pub mod dda;
 mod fifo;
 pub mod interpolator;
 pub mod ppc;
+mod probe;
 mod step_dir;
 mod sweep;
+#[cfg(feature = "waves")]
 pub mod trace;
 mod word;
 
 pub use circuit::{Circuit, Cycles};
 pub use fifo::Fifo;
+pub use probe::{Kind, Probe};
 pub use step_dir::{StepDir, Timing};
 pub use sweep::Sweep;

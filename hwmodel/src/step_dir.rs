@@ -1,6 +1,6 @@
 //! The output stage of one axis: pulses become the step and direction signals of a drive.
 
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
 use crate::word::mask;
 use onepulse_core::Error;
 

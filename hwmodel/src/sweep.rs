@@ -1,6 +1,8 @@
 //! The control of an arc's sweep: quadrant, crossings and the two end counters.
 
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
+#[cfg(feature = "proofs")]
+use crate::word::same;
 use crate::word::{signed, wrap};
 use onepulse_core::{self as software, Axis, Direction, Error, Feeds, Quadrant};
 
@@ -87,6 +89,73 @@ impl Sweep {
         sweep
     }
 
+    /// The registers in this state, reachable or not, after a look at coordinates of which `is_zero`
+    /// tells whether they are zero.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn in_state(
+        quadrant: Quadrant,
+        crossings: u8,
+        je: [i64; 2],
+        direction: Direction,
+        bits: u32,
+        is_zero: [bool; 2],
+    ) -> Self {
+        let mut sweep = Self::loaded(quadrant, crossings, je, direction, bits);
+        sweep.looked = sweep.see(is_zero);
+        sweep
+    }
+
+    /// The same with these in the flip-flops that the next look writes in any case: those of the end
+    /// counters' zeros, and in the last quadrant all of them.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub const fn with_leftovers(
+        mut self,
+        at_end: [bool; 2],
+        stands: [bool; 2],
+        stepping_out: bool,
+        negative: [bool; 2],
+        shrinks: [bool; 2],
+    ) -> Self {
+        if self.crossings == 0 {
+            self.looked = Looked { at_end, stands, stepping_out, negative, shrinks };
+        }
+        self.looked.at_end = at_end;
+        self
+    }
+
+    /// Whether the registers agree with those of another sweep control, but for what the next look
+    /// writes in any case.
+    #[cfg(feature = "proofs")]
+    pub(crate) fn agrees_before_look(&self, other: &Self) -> bool {
+        let (l, r) = (&self.looked, &other.looked);
+        self.quadrant == other.quadrant
+            && self.crossings == other.crossings
+            && same(self.je, other.je)
+            && self.towards_is_y == other.towards_is_y
+            && same(self.feeds_negative, other.feeds_negative)
+            && self.direction == other.direction
+            && self.bits == other.bits
+            && (self.crossings == 0
+                || same(l.stands, r.stands)
+                    && l.stepping_out == r.stepping_out
+                    && same(l.negative, r.negative)
+                    && same(l.shrinks, r.shrinks))
+    }
+
+    /// Whether all registers agree with those of another sweep control, but for what only integration
+    /// asks for.
+    #[cfg(feature = "proofs")]
+    pub(crate) fn agrees_after_look(&self, other: &Self) -> bool {
+        let (l, r) = (&self.looked, &other.looked);
+        self.agrees_before_look(other)
+            && same(l.at_end, r.at_end)
+            && same(l.stands, r.stands)
+            && same(l.negative, r.negative)
+            && same(l.shrinks, r.shrinks)
+    }
+
     /// The registers after a reset.
     pub(crate) fn reset(bits: u32) -> Self {
         Self::loaded(Quadrant::I, 0, [0; 2], Direction::Ccw, bits)
@@ -162,11 +231,17 @@ impl Sweep {
     }
 
     /// The next quadrant. What was fed away from zero is fed towards it now.
-    #[cold]
+    ///
+    /// Seldom needed, so that it is kept out of the way; but a proof has to have everything in one
+    /// place.
+    #[cfg_attr(not(feature = "proofs"), cold)]
+    #[cfg_attr(feature = "proofs", inline(always))]
     fn cross(&mut self) {
         self.quadrant = self.quadrant.next(self.direction);
         self.crossings -= 1;
-        self.feeds_negative[usize::from(!self.towards_is_y)] ^= true;
+        // The axis fed towards zero goes on in its direction, the other turns round.
+        let [x, y] = self.feeds_negative;
+        self.feeds_negative = [x ^ self.towards_is_y, y ^ !self.towards_is_y];
         self.towards_is_y ^= true;
     }
 

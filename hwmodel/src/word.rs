@@ -19,6 +19,18 @@ pub(crate) const fn signed(magnitude: i64, is_negative: bool) -> i64 {
     if is_negative { -magnitude } else { magnitude }
 }
 
+/// Whether two arrays are equal, element by element: solvers are slow to see through `==`, a loop over
+/// memory.
+#[cfg(feature = "proofs")]
+#[inline(always)]
+pub(crate) fn same<T: Copy + PartialEq, const N: usize>(left: [T; N], right: [T; N]) -> bool {
+    let mut same = true;
+    for index in 0..N {
+        same &= left[index] == right[index];
+    }
+    same
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,6 +1,6 @@
 //! The textbook's circuit of an arc by digital integration.
 
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
 use crate::word::{mask, signed};
 use crate::{Circuit, Sweep};
 use onepulse_core::dda::{self, Preset, Radix, Register};
@@ -93,6 +93,36 @@ impl Arc {
         let integrators = [x, Integrator { jv: jvy, ..x }];
         let registers = Registers { beat: Beat::Add, integrators, sweep };
         Self { registers, unit, bits }
+    }
+
+    /// The circuit in this state at the start of a cycle, reachable or not.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub const fn in_state(
+        [jvx, jvy]: [u64; 2],
+        [jrx, jry]: [u64; 2],
+        [sx, sy]: [u64; 2],
+        unit: u64,
+        sweep: Sweep,
+        bits: u32,
+    ) -> Self {
+        let x = Integrator { jv: jvx, jr: jrx, sum: sx };
+        let y = Integrator { jv: jvy, jr: jry, sum: sy };
+        Self { registers: Registers { beat: Beat::Add, integrators: [x, y], sweep }, unit, bits }
+    }
+
+    /// Whether every register agrees with that of another circuit, but for the sums and what the
+    /// sweep control last looked at: each cycle begins by writing them.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn agrees_with(&self, other: &Self) -> bool {
+        let (q, r) = (&self.registers, &other.registers);
+        let mut agrees = q.beat == r.beat && self.unit == other.unit && self.bits == other.bits;
+        for axis in 0..2 {
+            agrees &= q.integrators[axis].jv == r.integrators[axis].jv;
+            agrees &= q.integrators[axis].jr == r.integrators[axis].jr;
+        }
+        agrees && q.sweep.agrees_before_look(&r.sweep)
     }
 
     /// The circuit after a reset.

@@ -1,6 +1,8 @@
 //! The circuit of a straight line by digital integration.
 
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
+#[cfg(feature = "proofs")]
+use crate::word::same;
 use crate::{Circuit, word::mask};
 use onepulse_core::dda::{self, Preset, Radix, Register};
 use onepulse_core::{Error, Pulse};
@@ -71,6 +73,31 @@ impl<const AXES: usize> Line<AXES> {
         bits: u32,
     ) -> Self {
         Self { registers: Registers { jv, jr: [preset; AXES], je }, negative, bits }
+    }
+
+    /// The circuit in this state, reachable or not.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub const fn in_state(
+        jv: [u64; AXES],
+        jr: [u64; AXES],
+        je: u64,
+        negative: [bool; AXES],
+        bits: u32,
+    ) -> Self {
+        Self { registers: Registers { jv, jr, je }, negative, bits }
+    }
+
+    /// Whether every register agrees with that of another circuit.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn agrees_with(&self, other: &Self) -> bool {
+        let (q, r) = (&self.registers, &other.registers);
+        same(q.jv, r.jv)
+            && same(q.jr, r.jr)
+            && q.je == r.je
+            && same(self.negative, other.negative)
+            && self.bits == other.bits
     }
 
     /// The circuit after a reset.

@@ -1,7 +1,7 @@
 //! Turns a command into the first contents of an engine's registers, or refuses it.
 
 use super::command::{Command, Curve, Refusal};
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
 use crate::word::{mask, wrap};
 
 /// The decoder's registers and the beats of its work.

@@ -2,7 +2,7 @@
 
 use super::command::Curve;
 use super::decoder::Contents;
-use crate::trace::Probe;
+use crate::probe::Probe;
 use crate::word::wrap;
 use crate::{Circuit, Sweep, brm, dda, ppc};
 use onepulse_core::{Direction, Pulse, Quadrant};

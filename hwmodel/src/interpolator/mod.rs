@@ -7,7 +7,7 @@ mod source;
 
 pub use command::{Command, Curve, Refusal};
 
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
 use crate::{Fifo, StepDir, Timing};
 use decoder::{Contents, Decoder};
 use engines::Engines;

@@ -1,6 +1,6 @@
 //! The pulse source.
 
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
 
 /// Divides the system clock to the rate of cycles, which is the feed.
 ///

@@ -1,6 +1,6 @@
 //! The down counter of the end rules "total" and "larger".
 
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
 use onepulse_core::{Axis, EndRule};
 
 /// A down counter that counts the pulses of both axes, or of the larger one alone.
@@ -23,6 +23,12 @@ impl EndCounter {
             EndRule::Larger => pulses[larger.index()],
             EndRule::PerAxis => 0,
         };
+        Self { rule, larger, e }
+    }
+
+    /// The counter in this state, reachable or not.
+    #[cfg(feature = "proofs")]
+    pub(super) const fn in_state(rule: EndRule, larger: Axis, e: u64) -> Self {
         Self { rule, larger, e }
     }
 

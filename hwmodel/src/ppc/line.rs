@@ -2,7 +2,9 @@
 
 use super::{Beat, end::EndCounter};
 use crate::Circuit;
-use crate::trace::{Kind, Probe};
+use crate::probe::{Kind, Probe};
+#[cfg(feature = "proofs")]
+use crate::word::same;
 use crate::word::{signed, wrap};
 use onepulse_core::dda::{Radix, Register};
 use onepulse_core::{Axis, EndRule, Error, Pulse};
@@ -61,6 +63,39 @@ impl Line {
     /// The circuit after a load under the rule of two counters.
     pub(crate) const fn loaded_per_axis(end: [u64; 2], negative: [bool; 2], bits: u32) -> Self {
         Self::loaded(end, negative, EndCounter::new(EndRule::PerAxis, [0; 2]), bits)
+    }
+
+    /// The circuit in this state at the start of a step, reachable or not; `e` is what the counter of
+    /// the end rule holds, which counts `larger` under the third.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub const fn in_state(
+        due: Axis,
+        f: i64,
+        je: [u64; 2],
+        (rule, larger, e): (EndRule, Axis, u64),
+        end: [u64; 2],
+        negative: [bool; 2],
+        bits: u32,
+    ) -> Self {
+        let end_counter = EndCounter::in_state(rule, larger, e);
+        let registers = Registers { beat: Beat::Judge, due, f, je, end: end_counter };
+        Self { registers, end, negative, bits }
+    }
+
+    /// Whether every register agrees with that of another circuit, but for the axis that was due last:
+    /// each step begins by writing it.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn agrees_with(&self, other: &Self) -> bool {
+        let (q, r) = (&self.registers, &other.registers);
+        q.beat == r.beat
+            && q.f == r.f
+            && same(q.je, r.je)
+            && q.end == r.end
+            && same(self.end, other.end)
+            && same(self.negative, other.negative)
+            && self.bits == other.bits
     }
 
     /// The circuit after a reset.

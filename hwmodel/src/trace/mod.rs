@@ -17,12 +17,13 @@ mod sucl;
 mod tracer;
 mod vcd;
 
+pub use crate::probe::{Kind, Probe};
 pub use background::BackgroundWriter;
 pub use bench::Bench;
 pub use clock::Clock;
 pub use fst::Fst;
 pub use gtkw::gtkw;
-pub use signal::{Kind, Probe, Signal, SignalList};
+pub use signal::{Signal, SignalList};
 pub use sucl::sucl;
 pub use tracer::{Sampler, Tracer};
 pub use vcd::Vcd;

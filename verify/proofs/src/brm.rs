@@ -12,7 +12,7 @@ fn passed(stage: u32, clocks: u64) -> u64 {
     (clocks + (1 << stage)) >> (stage + 1)
 }
 
-fn any_end(modulus: u64) -> i32 {
+pub(crate) fn any_end(modulus: u64) -> i32 {
     kani::any_where(|end: &i32| u64::from(end.unsigned_abs()) < modulus)
 }
 

@@ -11,7 +11,7 @@ use onepulse_core::dda::CentredArc;
 use onepulse_core::{Direction, Feeds};
 
 /// Any state that satisfies the invariant, with room for one pulse in the registers.
-fn any_state() -> CentredArc {
+pub(crate) fn any_state() -> CentredArc {
     let (sweep, position) = any_place();
     let register = any_binary_register();
     let shift = u32::from(kani::any_where(|shift: &u8| u32::from(*shift) < register.digits()));

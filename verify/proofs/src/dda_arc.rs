@@ -9,7 +9,7 @@ use onepulse_core::Feeds;
 use onepulse_core::dda::Arc;
 
 /// Any state that satisfies the invariant, with room for one pulse in the registers.
-fn any_state() -> Arc {
+pub(crate) fn any_state() -> Arc {
     let (sweep, position) = any_place();
     let register = any_binary_register();
     let shift = u32::from(kani::any_where(|shift: &u8| u32::from(*shift) < register.digits()));

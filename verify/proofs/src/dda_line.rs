@@ -57,6 +57,15 @@ fn any_state() -> (Line<1>, u64) {
     (line, axis.due)
 }
 
+/// Any state of a line of two axes that satisfies the invariant.
+pub(crate) fn any_state_of_two() -> Line {
+    let common = any_common();
+    let [x, y] = [common.any_axis(), common.any_axis()];
+    let line = common.line([&x, &y]);
+    kani::assume(line.invariant_given([x.due, y.due]));
+    line
+}
+
 /// left·JV. To a solver any number with these properties of the product, which is `most` at most
 /// (lemmas in `verify/lemmas/product.smt2`).
 #[cfg(any(kani, target_arch = "wasm32"))]

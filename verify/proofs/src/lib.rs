@@ -18,6 +18,7 @@ mod brm;
 mod centred_arc;
 mod dda_arc;
 mod dda_line;
+mod hardware;
 mod ppc_arc;
 mod ppc_line;
 mod product;

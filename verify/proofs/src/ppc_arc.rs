@@ -40,6 +40,11 @@ fn any_radius_squared(sweep: &Sweep) -> i64 {
 
 /// Any state that satisfies the invariant.
 fn any_state(rule: EndRule) -> Arc {
+    any_state_of(rule, any_axis())
+}
+
+/// Any such state of an arc that had more pulses of `larger`.
+pub(crate) fn any_state_of(rule: EndRule, larger: Axis) -> Arc {
     let sweep = any_sweep();
     let point: [u32; 2] = kani::any();
     kani::assume(point[0] <= 1 << 31 && point[1] <= 1 << 31);
@@ -47,7 +52,7 @@ fn any_state(rule: EndRule) -> Arc {
     let f = towards - any_radius_squared(&sweep) + away;
     let point = point.map(i64::from);
     kani::assume(lemmas(f, point[0], point[1], &sweep));
-    let arc = Arc::in_state(sweep, rule, any_axis(), f, point);
+    let arc = Arc::in_state(sweep, rule, larger, f, point);
     kani::assume(arc.invariant());
     arc
 }

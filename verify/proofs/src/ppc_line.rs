@@ -10,7 +10,7 @@ use onepulse_core::EndRule;
 use onepulse_core::ppc::Line;
 
 /// The pulses of x and y to go, each multiplied by the other axis' end coordinate.
-struct Ghost([u64; 2]);
+pub(crate) struct Ghost([u64; 2]);
 
 impl Ghost {
     fn deviation(&self) -> i64 {
@@ -20,7 +20,7 @@ impl Ghost {
 }
 
 /// Any state on the line to `end` that satisfies the invariant.
-fn any_state(end: [i32; 2], rule: EndRule) -> (Line, Ghost) {
+pub(crate) fn any_state(end: [i32; 2], rule: EndRule) -> (Line, Ghost) {
     let [xe, ye] = end.map(i32::unsigned_abs);
     let left: [u32; 2] = kani::any();
     let ghost = Ghost([product(ye, left[0]), product(xe, left[1])]);
