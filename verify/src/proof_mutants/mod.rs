@@ -109,7 +109,7 @@ pub fn run(options: &Options) -> Result<(), String> {
     }
     print!("{}", report.text(specified));
     if let Some(path) = &options.write {
-        write(path, &report.document(specified))?;
+        write(path, &report.document(specified, !options.natively))?;
     }
     let outdated = explained.outdated(&mutants);
     for entry in &outdated {
