@@ -144,18 +144,6 @@ impl Sweep {
                     && same(l.shrinks, r.shrinks))
     }
 
-    /// Whether all registers agree with those of another sweep control, but for what only integration
-    /// asks for.
-    #[cfg(feature = "proofs")]
-    pub(crate) fn agrees_after_look(&self, other: &Self) -> bool {
-        let (l, r) = (&self.looked, &other.looked);
-        self.agrees_before_look(other)
-            && same(l.at_end, r.at_end)
-            && same(l.stands, r.stands)
-            && same(l.negative, r.negative)
-            && same(l.shrinks, r.shrinks)
-    }
-
     /// The registers after a reset.
     pub(crate) fn reset(bits: u32) -> Self {
         Self::loaded(Quadrant::I, 0, [0; 2], Direction::Ccw, bits)

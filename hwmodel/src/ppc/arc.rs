@@ -2,8 +2,6 @@
 
 use super::{Beat, end::EndCounter};
 use crate::probe::{Kind, Probe};
-#[cfg(feature = "proofs")]
-use crate::word::same;
 use crate::word::{mask, signed, wrap};
 use crate::{Circuit, Sweep};
 use onepulse_core::dda::{Radix, Register};
@@ -75,36 +73,6 @@ impl Arc {
         Self::loaded(c, sweep, EndCounter::new(EndRule::PerAxis, [0; 2]), bits)
     }
 
-    /// The circuit in this state at the start of a step, reachable or not; `e` is what the counter of
-    /// the end rule holds, which counts `larger` under the third.
-    #[cfg(feature = "proofs")]
-    #[must_use]
-    pub fn in_state(
-        due: Axis,
-        f: i64,
-        c: [u64; 2],
-        sweep: Sweep,
-        (rule, larger, e): (EndRule, Axis, u64),
-        bits: u32,
-    ) -> Self {
-        let (f, end) = (wrap(f, bits + 2), EndCounter::in_state(rule, larger, e));
-        Self { registers: Registers { beat: Beat::Judge, due, f, c, sweep, end }, bits }
-    }
-
-    /// Whether every register agrees with that of another circuit, but for the axis that was due last:
-    /// each step begins by writing it.
-    #[cfg(feature = "proofs")]
-    #[must_use]
-    pub fn agrees_with(&self, other: &Self) -> bool {
-        let (q, r) = (&self.registers, &other.registers);
-        q.beat == r.beat
-            && q.f == r.f
-            && same(q.c, r.c)
-            && q.sweep.agrees_after_look(&r.sweep)
-            && q.end == r.end
-            && self.bits == other.bits
-    }
-
     /// The circuit after a reset.
     pub(crate) fn reset(bits: u32) -> Self {
         let end_counter = EndCounter::new(EndRule::Total, [0; 2]);
@@ -142,24 +110,18 @@ impl Arc {
         }
         let judged = self.judge();
         let q = &mut self.registers;
-        let due = [q.due == Axis::X, q.due == Axis::Y];
-        let shrinks = q.due.of([q.sweep.shrinks(0), q.sweep.shrinks(1)]);
+        let due = q.due.index();
+        let shrinks = q.sweep.shrinks(due);
         match q.beat {
             Beat::Judge => q.due = judged,
             Beat::Feed => {
-                for axis in 0..2 {
-                    let taken = u64::from(due[axis] & shrinks);
-                    q.c[axis] = q.c[axis].wrapping_sub(taken) & mask(self.bits);
-                }
+                q.c[due] = q.c[due].wrapping_sub(u64::from(shrinks)) & mask(self.bits);
             }
             Beat::Update => {
-                let change = signed(2 * q.due.of(q.c) as i64 + 1, shrinks);
+                let change = signed(2 * q.c[due] as i64 + 1, shrinks);
                 q.f = wrap(q.f + change, self.bits + 2);
-                for axis in 0..2 {
-                    let added = u64::from(due[axis] & !shrinks);
-                    q.c[axis] = (q.c[axis] + added) & mask(self.bits);
-                    q.sweep.count(axis, due[axis], q.sweep.is_negative(axis));
-                }
+                q.c[due] = (q.c[due] + u64::from(!shrinks)) & mask(self.bits);
+                q.sweep.count(due, true, q.sweep.is_negative(due));
                 q.end.count(q.due);
             }
             Beat::Compare => q.sweep.look([q.c[0] == 0, q.c[1] == 0]),
@@ -176,10 +138,7 @@ impl Circuit for Arc {
     fn pulses(&self) -> Pulse {
         let q = &self.registers;
         match q.beat {
-            Beat::Feed => {
-                let is_negative = q.due.of([q.sweep.is_negative(0), q.sweep.is_negative(1)]);
-                Pulse::on(q.due, signed(1, is_negative) as i8)
-            }
+            Beat::Feed => Pulse::on(q.due, signed(1, q.sweep.is_negative(q.due.index())) as i8),
             Beat::Judge | Beat::Update | Beat::Compare => Pulse::NONE,
         }
     }

@@ -8,7 +8,7 @@
 use crate::any::{any_axis, any_direction, any_rule, any_sweep};
 use crate::product::square;
 use onepulse_core::ppc::Arc;
-use onepulse_core::{Axis, EndRule, Pulse, Sweep};
+use onepulse_core::{EndRule, Pulse, Sweep};
 
 /// What follows for t, the coordinate fed towards zero, and a, the one fed away from it, from
 /// F = t² + a² − R² and the largest coordinate p = ⌈√(R² − 1)⌉ (1 for R = 1).
@@ -40,11 +40,6 @@ fn any_radius_squared(sweep: &Sweep) -> i64 {
 
 /// Any state that satisfies the invariant.
 fn any_state(rule: EndRule) -> Arc {
-    any_state_of(rule, any_axis())
-}
-
-/// Any such state of an arc that had more pulses of `larger`.
-pub(crate) fn any_state_of(rule: EndRule, larger: Axis) -> Arc {
     let sweep = any_sweep();
     let point: [u32; 2] = kani::any();
     kani::assume(point[0] <= 1 << 31 && point[1] <= 1 << 31);
@@ -52,7 +47,7 @@ pub(crate) fn any_state_of(rule: EndRule, larger: Axis) -> Arc {
     let f = towards - any_radius_squared(&sweep) + away;
     let point = point.map(i64::from);
     kani::assume(lemmas(f, point[0], point[1], &sweep));
-    let arc = Arc::in_state(sweep, rule, larger, f, point);
+    let arc = Arc::in_state(sweep, rule, any_axis(), f, point);
     kani::assume(arc.invariant());
     arc
 }

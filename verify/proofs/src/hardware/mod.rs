@@ -9,7 +9,6 @@ mod centred_arc;
 mod dda_arc;
 mod dda_line;
 mod integration;
-mod ppc_arc;
 mod ppc_line;
 
 use onepulse_core::Pulse;
