@@ -1,8 +1,6 @@
 //! The circuit of the centred staggered arc.
 
 use crate::probe::{Kind, Probe};
-#[cfg(feature = "proofs")]
-use crate::word::same;
 use crate::word::{mask, signed, wrap};
 use crate::{Circuit, Sweep};
 use onepulse_core::dda::{self, Radix, Register};
@@ -87,35 +85,6 @@ impl CentredArc {
         bits: u32,
     ) -> Self {
         Self { registers: Registers { beat: Beat::AddX, j, jr, sum: 0, sweep }, unit, bits }
-    }
-
-    /// The circuit in this state at the start of a cycle, reachable or not.
-    #[cfg(feature = "proofs")]
-    #[must_use]
-    pub const fn in_state(
-        j: [i64; 2],
-        jr: [u64; 2],
-        sum: u64,
-        unit: u64,
-        sweep: Sweep,
-        bits: u32,
-    ) -> Self {
-        let j = [wrap(j[0], bits), wrap(j[1], bits)];
-        Self { registers: Registers { beat: Beat::AddX, j, jr, sum, sweep }, unit, bits }
-    }
-
-    /// Whether every register agrees with that of another circuit, but for the sum and what the sweep
-    /// control last looked at: each cycle begins by writing them.
-    #[cfg(feature = "proofs")]
-    #[must_use]
-    pub fn agrees_with(&self, other: &Self) -> bool {
-        let (q, r) = (&self.registers, &other.registers);
-        q.beat == r.beat
-            && same(q.j, r.j)
-            && same(q.jr, r.jr)
-            && q.sweep.agrees_before_look(&r.sweep)
-            && self.unit == other.unit
-            && self.bits == other.bits
     }
 
     /// The circuit after a reset.

@@ -8,7 +8,7 @@
 use crate::any::{any_axis, any_direction, any_rule, any_sweep};
 use crate::product::square;
 use onepulse_core::ppc::Arc;
-use onepulse_core::{EndRule, Pulse, Sweep};
+use onepulse_core::{Axis, EndRule, Pulse, Sweep};
 
 /// What follows for t, the coordinate fed towards zero, and a, the one fed away from it, from
 /// F = t² + a² − R² and the largest coordinate p = ⌈√(R² − 1)⌉ (1 for R = 1).
