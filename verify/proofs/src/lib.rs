@@ -6,7 +6,7 @@
 //! preserves it, and what it buys is shown apart. So the claims hold for runs of any length.
 //!
 //! Products are kept out of the solvers: where an invariant has one, the harness carries it as a
-//! number of its own ([`product`]) of which no more is known than the lemmas of
+//! number of its own (`product.rs`) of which no more is known than the lemmas of
 //! `verify/lemmas` say.
 //!
 //! The crate is empty but for the engines that run the harnesses.
