@@ -39,7 +39,8 @@ pub(super) fn put_binary(room: &mut [u8], value: u64, bits: u32) {
     }
 }
 
-/// A decimal number of which mostly the eight low digits change.
+/// A decimal number that counts up, so that mostly its three low digits change, and nearly always
+/// the eight low ones at most.
 ///
 /// Its length is kept: taken from the digits, it would let all text behind the number wait for
 /// these.
@@ -53,6 +54,10 @@ pub(super) struct Decimal {
     length: usize,
     /// How many digits follow.
     low_digits: usize,
+    /// The number, or an earlier one, with zeros for its three low digits.
+    thousands: u64,
+    /// The eight low digits of that.
+    thousands_digits: u64,
 }
 
 impl Decimal {
@@ -60,8 +65,15 @@ impl Decimal {
     const HEAD: usize = 16;
     const EIGHT_DIGITS: u64 = 100_000_000;
 
-    pub(super) const ZERO: Self =
-        Self { number: 0, alike: 0..=9, head: [b'0'; Self::HEAD], length: 0, low_digits: 1 };
+    pub(super) const ZERO: Self = Self {
+        number: 0,
+        alike: 0..=9,
+        head: [b'0'; Self::HEAD],
+        length: 0,
+        low_digits: 1,
+        thousands: 0,
+        thousands_digits: EIGHT_ZEROS,
+    };
 
     /// Makes it another number.
     #[inline(always)]
@@ -69,6 +81,9 @@ impl Decimal {
         self.number = number;
         if !self.alike.contains(&number) {
             self.set_head();
+        }
+        if number.wrapping_sub(self.thousands) >= 1_000 {
+            self.set_thousands();
         }
     }
 
@@ -84,19 +99,40 @@ impl Decimal {
         self.alike = base + low..=base.saturating_add(unit - 1);
     }
 
+    /// Not marked as cold: in a wave with long periods, every number has its own thousands.
+    #[inline(always)]
+    fn set_thousands(&mut self) {
+        self.thousands = self.number - self.number % 1_000;
+        let low = (self.thousands % Self::EIGHT_DIGITS) as u32;
+        self.thousands_digits = eight_digits(low) | EIGHT_ZEROS;
+    }
+
     /// Puts its digits, without leading zeros, in a room for as many as the
     /// head may have and eight more; how many.
     #[inline(always)]
     pub(super) fn put(&self, room: &mut [u8]) -> usize {
         room[..Self::HEAD].copy_from_slice(&self.head);
         if let Some(room) = room[self.length..].first_chunk_mut() {
-            let digits = eight_digits((self.number % Self::EIGHT_DIGITS) as u32) | EIGHT_ZEROS;
+            let low = THREE_DIGITS[(self.number - self.thousands) as usize % 1_024];
             // The first digit is the lowest byte.
+            let digits = self.thousands_digits | u64::from(low) << 32;
             *room = (digits >> (64 - 8 * self.low_digits)).to_le_bytes();
         }
         self.length + self.low_digits
     }
 }
+
+/// The decimal digits of all numbers of three digits, the first in the second lowest byte: the
+/// lowest belongs to a digit before them. Filled up to a power of two, as no index lies outside then.
+static THREE_DIGITS: [u32; 1_024] = {
+    let mut digits = [0; 1_024];
+    let mut number = 0;
+    while number < 1_000 {
+        digits[number] = (eight_digits(number as u32) >> 32) as u32;
+        number += 1;
+    }
+    digits
+};
 
 const EIGHT_ZEROS: u64 = u64::from_le_bytes([b'0'; 8]);
 
