@@ -11,6 +11,9 @@
 //! | [`ppc`] | point-by-point comparison (逐点比较法) | line, arc |
 //! | [`dda`] | digital integration (数字积分法) | line of any number of axes, arc |
 //! | [`brm`] | binary rate multiplier (数字脉冲乘法器) | line of any number of axes |
+//! | [`minimum_deviation`] | minimum deviation (最小偏差法) | line of any number of axes, arc |
+//! | [`vector`] | vector discrimination (矢量判别法) | line, arc |
+//! | [`comparison`] | comparison integration (比较积分法) | line, arc |
 //!
 //! ```
 //! use onepulse_core::{EndRule, Pulse, ppc};
@@ -28,16 +31,21 @@
 #![no_std]
 
 pub mod brm;
+pub mod comparison;
 pub mod dda;
 mod end_rule;
 mod error;
+pub mod minimum_deviation;
 pub mod ppc;
 mod pulse;
 mod quadrant;
 mod sweep;
+pub mod vector;
+mod walk;
 
 pub use end_rule::EndRule;
 pub use error::Error;
 pub use pulse::{Axis, Pulse};
 pub use quadrant::{Direction, Feed, Feeds, Quadrant};
 pub use sweep::Sweep;
+pub use walk::Walk;

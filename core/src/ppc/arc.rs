@@ -1,7 +1,7 @@
 //! Circular arc by point-by-point comparison.
 
-use crate::pulse::signed;
-use crate::{Axis, Direction, EndRule, Error, Feed, Feeds, Pulse, Sweep};
+use crate::walk::{AWAY, TOWARDS, Walk};
+use crate::{Axis, Direction, EndRule, Error, Feed, Pulse, Sweep};
 
 /// An arc about the origin, any sweep up to a full turn.
 ///
@@ -21,25 +21,13 @@ use crate::{Axis, Direction, EndRule, Error, Feed, Feeds, Pulse, Sweep};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Arc {
-    f: i64,
-    /// The coordinate that is fed towards zero in this quadrant, and the one that is fed away
-    /// from it: magnitudes.
-    point: [i64; 2],
-    /// Where each of them stands; out of reach before the last quadrant.
-    stop: [i64; 2],
-    /// The pulse of each.
-    pulse: [Pulse; 2],
-    /// Pulses of each still to come.
+    walk: Walk,
+    /// Pulses of each motion still to come.
     left: [u64; 2],
     /// The axis that had more of them at the start of the arc.
     larger: Axis,
     rule: EndRule,
-    sweep: Sweep,
 }
-
-/// The places of the two motions in the arrays above.
-const TOWARDS: usize = 0;
-const AWAY: usize = 1;
 
 impl Arc {
     /// The arc from `start` to `end`; equal ends mean a full circle.
@@ -57,22 +45,10 @@ impl Arc {
 
     /// The arc from `start` along a sweep that begins there.
     fn along(sweep: Sweep, start: [i32; 2], rule: EndRule) -> Self {
-        let [x, y] = start.map(|c| i64::from(c).abs());
-        let point = if sweep.feeds().towards.axis == Axis::X { [x, y] } else { [y, x] };
-        let mut arc = Self {
-            f: 0,
-            point,
-            stop: [0; 2],
-            pulse: [Pulse::NONE; 2],
-            left: sweep.way_left(point),
-            larger: Axis::X,
-            rule,
-            sweep,
-        };
-        let [x, y] = arc.pulses_to_go();
-        arc.larger = if x >= y { Axis::X } else { Axis::Y };
-        arc.enter_quadrant();
-        arc
+        let walk = Walk::new(sweep, start);
+        let left = sweep.way_left(walk.magnitudes());
+        let [x, y] = walk.by_axis(left);
+        Self { walk, left, larger: if x >= y { Axis::X } else { Axis::Y }, rule }
     }
 
     /// The arc from `start` along a sweep that begins there: [`Arc::new`] without its roots.
@@ -87,96 +63,40 @@ impl Arc {
     #[cfg(feature = "proofs")]
     #[must_use]
     pub fn in_state(sweep: Sweep, rule: EndRule, larger: Axis, f: i64, point: [i64; 2]) -> Self {
-        let (stop, pulse, left) = ([0; 2], [Pulse::NONE; 2], sweep.way_left(point));
-        let mut arc = Self { f, point, stop, pulse, left, larger, rule, sweep };
-        arc.enter_quadrant();
-        arc
+        let walk = Walk::in_state(sweep, f, point);
+        Self { walk, left: sweep.way_left(point), larger, rule }
     }
 
     /// One step of four beats; `None` once the end rule is met.
-    ///
-    /// Both feeds are computed and one is chosen, as for the line.
     #[inline]
     pub fn step(&mut self) -> Option<Pulse> {
         if self.is_done() {
             return None;
         }
-        let stands = self.stands();
+        let stands = self.walk.stands();
         if stands == [true, true] {
             return Some(self.step_out());
         }
-        let feeds_towards = self.f >= 0 && !stands[TOWARDS] || stands[AWAY];
-        let [towards, away] = self.point;
-        let outwards = if feeds_towards { -towards } else { away };
-        self.f += 2 * outwards + 1;
-        self.point = [towards - i64::from(feeds_towards), away + i64::from(!feeds_towards)];
+        let feeds_towards = self.walk.deviation_function() >= 0 && !stands[TOWARDS] || stands[AWAY];
+        let pulse = self.walk.feed(feeds_towards);
         self.left[TOWARDS] -= u64::from(feeds_towards);
         self.left[AWAY] -= u64::from(!feeds_towards);
-        let pulse = if feeds_towards { self.pulse[TOWARDS] } else { self.pulse[AWAY] };
-        if self.point[TOWARDS] == 0 {
-            self.cross();
+        if self.walk.cross() {
+            self.left.swap(TOWARDS, AWAY);
         }
         debug_assert!(self.invariant());
         Some(pulse)
     }
 
-    /// Whether each coordinate stands: it is at its end, or past it, in the last quadrant.
-    #[inline]
-    const fn stands(&self) -> [bool; 2] {
-        [self.point[TOWARDS] <= self.stop[TOWARDS], self.point[AWAY] >= self.stop[AWAY]]
-    }
-
-    /// Goes on into the next quadrant, if this was not the last: what was fed away from zero is
-    /// fed towards it now.
-    #[inline]
-    fn cross(&mut self) {
-        let crossings = self.sweep.crossings_left();
-        let position = Self::position(self);
-        self.sweep.arrive(position);
-        if self.sweep.crossings_left() < crossings {
-            self.point.swap(TOWARDS, AWAY);
-            self.left.swap(TOWARDS, AWAY);
-            self.enter_quadrant();
-        }
-    }
-
-    #[inline]
-    fn enter_quadrant(&mut self) {
-        let Feeds { towards, away } = self.sweep.feeds();
-        self.pulse = [towards, away].map(|feed| Pulse::on(feed.axis, feed.sign));
-        self.stop = self.stops();
-    }
-
-    /// Where each coordinate stands in this quadrant.
-    #[inline]
-    fn stops(&self) -> [i64; 2] {
-        let Feeds { towards, away } = self.sweep.feeds();
-        if self.sweep.crossings_left() > 0 {
-            [i64::MIN, i64::MAX]
-        } else {
-            [towards, away].map(|feed| feed.axis.of(self.sweep.end()).abs())
-        }
-    }
-
     /// One pulse straight to an end point off the circle, x first.
     #[inline]
     fn step_out(&mut self) -> Pulse {
-        let Feed { axis, sign } = self.judge();
-        let moves_away = self.sweep.feeds().away.axis == axis;
-        let (c, stop) = if moves_away {
-            (self.point[AWAY], self.stop[AWAY])
-        } else {
-            (self.point[TOWARDS], self.stop[TOWARDS])
-        };
-        let outwards = c < stop;
-        self.f += 2 * if outwards { c } else { -c } + 1;
-        let step = if outwards { 1 } else { -1 };
-        self.point[AWAY] += if moves_away { step } else { 0 };
-        self.point[TOWARDS] += if moves_away { 0 } else { step };
+        let feed = self.walk.step_out();
+        let moves_away = self.walk.moves_away(feed);
         self.left[AWAY] -= u64::from(moves_away);
         self.left[TOWARDS] -= u64::from(!moves_away);
         debug_assert!(self.invariant());
-        Pulse::on(axis, sign)
+        Pulse::on(feed.axis, feed.sign)
     }
 
     /// The motion that the next step makes.
@@ -187,32 +107,25 @@ impl Arc {
     #[inline]
     #[must_use]
     pub fn judge(&self) -> Feed {
-        let feeds = self.sweep.feeds();
-        match self.stands() {
-            [false, false] if self.f >= 0 => feeds.towards,
+        let feeds = self.sweep().feeds();
+        match self.walk.stands() {
+            [false, false] if self.deviation_function() >= 0 => feeds.towards,
             [false, true] => feeds.towards,
             [_, false] => feeds.away,
-            [true, true] => {
-                let Pulse([x, y]) = self.sweep.step_out(self.position());
-                if x != 0 {
-                    Feed { axis: Axis::X, sign: x }
-                } else {
-                    Feed { axis: Axis::Y, sign: y }
-                }
-            }
+            [true, true] => self.walk.out(),
         }
     }
 
     /// The deviation function F at the present point.
     #[must_use]
     pub const fn deviation_function(&self) -> i64 {
-        self.f
+        self.walk.deviation_function()
     }
 
     /// Where the arc is on its way round.
     #[must_use]
     pub const fn sweep(&self) -> &Sweep {
-        &self.sweep
+        self.walk.sweep()
     }
 
     /// Whether the end rule is met.
@@ -232,26 +145,21 @@ impl Arc {
     #[inline]
     #[must_use]
     pub fn pulses_to_go(&self) -> [u64; 2] {
-        self.by_axis(self.left)
+        self.walk.by_axis(self.left)
     }
 
     /// The present point.
     #[inline]
     #[must_use]
     pub fn position(&self) -> [i64; 2] {
-        // What is fed towards zero lies on the side that its pulses come from.
-        let Feeds { towards, away } = self.sweep.feeds();
-        let towards = signed(-towards.sign, self.point[TOWARDS]);
-        let away = signed(away.sign, self.point[AWAY]);
-        self.by_axis([towards, away])
+        self.walk.position()
     }
 
     /// What is missing to the end point: zero when done, but under [`EndRule::Larger`] the other
     /// axis may be left short.
     #[must_use]
     pub fn residual(&self) -> [i64; 2] {
-        let (end, position) = (self.sweep.end(), self.position());
-        [end[0] - position[0], end[1] - position[1]]
+        self.walk.residual()
     }
 
     /// What always holds: the counters hold the pulses of the way that is left, and while F
@@ -260,18 +168,15 @@ impl Arc {
     /// which steps through its centre.
     #[must_use]
     pub fn invariant(&self) -> bool {
-        let peak = self.sweep.peak();
-        let [towards, away] = self.point;
-        let [to_go, to_go_away] = self.sweep.way_left(self.point);
-        let [stop, stop_away] = self.stops();
-        let [stands, stands_away] = self.stands();
-        self.sweep.invariant()
+        let peak = self.sweep().peak();
+        let point = self.walk.magnitudes();
+        let [towards, away] = point;
+        let f = self.deviation_function();
+        let [to_go, to_go_away] = self.sweep().way_left(point);
+        self.walk.invariant()
             && (self.left[TOWARDS] == to_go && self.left[AWAY] == to_go_away)
-            && (self.stop[TOWARDS] == stop && self.stop[AWAY] == stop_away)
-            && (0 <= towards && 0 <= away)
-            && (stands
-                || stands_away
-                || (-2 * peak < self.f && self.f <= 2 * peak)
+            && (!self.walk.is_free()
+                || (-2 * peak < f && f <= 2 * peak)
                     && (towards <= peak && away <= peak)
                     && (towards > 0 || away == 0 && peak == 1))
     }
@@ -280,7 +185,7 @@ impl Arc {
     #[cfg(feature = "proofs")]
     #[must_use]
     pub fn counters_hold(&self) -> bool {
-        let [towards, away] = self.sweep.way_left(self.point);
+        let [towards, away] = self.sweep().way_left(self.walk.magnitudes());
         self.left[TOWARDS] == towards && self.left[AWAY] == away
     }
 
@@ -289,15 +194,6 @@ impl Arc {
     #[must_use]
     pub const fn larger(&self) -> Axis {
         self.larger
-    }
-
-    /// From the order of the motions to that of the axes.
-    #[inline]
-    fn by_axis<T: Copy>(&self, [towards, away]: [T; 2]) -> [T; 2] {
-        match self.sweep.feeds().towards.axis {
-            Axis::X => [towards, away],
-            Axis::Y => [away, towards],
-        }
     }
 }
 
