@@ -16,13 +16,20 @@
 mod any;
 mod brm;
 mod centred_arc;
+mod circle_walk;
+mod comparison_arc;
+mod comparison_line;
 mod dda_arc;
 mod dda_line;
 mod hardware;
+mod minimum_deviation_arc;
+mod minimum_deviation_line;
 mod ppc_arc;
 mod ppc_line;
 mod product;
 mod quadrant_walk;
 mod same;
+mod vector_arc;
+mod vector_line;
 #[cfg(feature = "wrong")]
 mod wrong;
