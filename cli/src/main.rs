@@ -4,6 +4,7 @@ mod args;
 mod choice;
 mod curve;
 mod failure;
+mod feed_rate;
 mod interpolator;
 mod machine;
 mod output;
@@ -21,6 +22,7 @@ fn main() -> ExitCode {
         Command::Pulses(curve) => pulses::pulses(&curve),
         Command::Table(arguments) => table::table(&arguments),
         Command::Wave(arguments) => wave::wave(&arguments),
+        Command::FeedRate(arguments) => feed_rate::feed_rate(&arguments),
         Command::Run(arguments) => run::run(&arguments),
     };
     match done {
