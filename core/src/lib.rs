@@ -11,6 +11,7 @@
 //! | [`ppc`] | point-by-point comparison (逐点比较法) | line, arc |
 //! | [`dda`] | digital integration (数字积分法) | line of any number of axes, arc |
 //! | [`brm`] | binary rate multiplier (数字脉冲乘法器) | line of any number of axes |
+//! | [`parabola`] | point-by-point comparison, minimum deviation, digital integration | parabola |
 //!
 //! ```
 //! use onepulse_core::{EndRule, Pulse, ppc};
@@ -31,6 +32,7 @@ pub mod brm;
 pub mod dda;
 mod end_rule;
 mod error;
+pub mod parabola;
 pub mod ppc;
 mod pulse;
 mod quadrant;
