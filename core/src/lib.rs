@@ -11,6 +11,7 @@
 //! | [`ppc`] | point-by-point comparison (逐点比较法) | line, arc |
 //! | [`dda`] | digital integration (数字积分法) | line of any number of axes, arc |
 //! | [`brm`] | binary rate multiplier (数字脉冲乘法器) | line of any number of axes |
+//! | [`Helix`] | comparison in a plane, digital integration across it | helix |
 //! | [`parabola`] | point-by-point comparison, minimum deviation, digital integration | parabola |
 //!
 //! ```
@@ -32,6 +33,7 @@ pub mod brm;
 pub mod dda;
 mod end_rule;
 mod error;
+mod helix;
 pub mod parabola;
 pub mod ppc;
 mod pulse;
@@ -40,6 +42,7 @@ mod sweep;
 
 pub use end_rule::EndRule;
 pub use error::Error;
+pub use helix::{Helix, Plane};
 pub use pulse::{Axis, Pulse};
 pub use quadrant::{Direction, Feed, Feeds, Quadrant};
 pub use sweep::Sweep;
