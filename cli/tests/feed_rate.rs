@@ -27,11 +27,10 @@ fn the_direction_decides_how_fast_a_line_is() {
         let (sin, cos) = row[0].to_radians().sin_cos();
         let one_axis = 1.0 / (sin + cos);
         let longer_axis = 1.0 / (sin.max(cos) * SQRT_2);
-        // The pulses of the two axes are level in the middle of the line alone, but on the diagonal
-        // always.
+        // The pulses of the two axes are level a few times on the line, but on the diagonal always.
         let level = if row[0] == 45.0 { 1.0 } else { one_axis / SQRT_2 };
         for (ratio, expected) in row[1..].iter().zip([one_axis, level, longer_axis, longer_axis]) {
-            assert!((ratio - expected).abs() < 2e-4, "{row:?}: {expected}");
+            assert!((ratio - expected).abs() < 5e-4, "{row:?}: {expected}");
         }
     }
 }
