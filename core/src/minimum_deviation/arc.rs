@@ -6,10 +6,10 @@ use crate::{Direction, Error, Pulse, Sweep};
 /// An arc about the origin, any sweep up to a full turn.
 ///
 /// F = x² + y² − R². In a quadrant three steps lead on: the one towards an axis, the one away from the
-/// other axis, and both together. The one that leaves the smallest |F| is taken, both together
-/// before a single one where they are alike. (Textbooks name the two candidates octant by octant; of
-/// the three, the third is never the nearest where they do not name it, but next to the diagonal,
-/// where it may be.) Always |F| ≤ max(|x|, |y|), so that the path is ½ pulse inside its circle at
+/// other axis, and both together. The one that leaves the smallest |F| is taken. (It is one alone:
+/// the diagonal step's F differs from the others' by odd numbers, and where those two are alike, the
+/// diagonal one is smaller. Textbooks name two candidates octant by octant; the third is the nearest
+/// next to the diagonal at most.) Always |F| ≤ max(|x|, |y|), so that the path is ½ pulse inside its circle at
 /// most, and ½ + 1/(8R) outside.
 ///
 /// The path runs through every lattice point of its circle within the sweep. An end point off

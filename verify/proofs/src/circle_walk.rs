@@ -142,3 +142,19 @@ pub(crate) fn done_means_end_point<A: Arc>(arc: &A) -> bool {
     }
     arc.is_done()
 }
+
+/// The coordinate that is fed towards zero in this quadrant, and the one that is fed away from it.
+pub(crate) fn magnitudes(walk: &Walk) -> [i64; 2] {
+    let (feeds, at) = (walk.sweep().feeds(), walk.position());
+    [feeds.towards.axis.of(at).abs(), feeds.away.axis.of(at).abs()]
+}
+
+/// Makes a step of an arc that is not at its end, and tells which of these two it feeds.
+#[inline(always)]
+pub(crate) fn fed<A: Arc>(arc: &mut A) -> [bool; 2] {
+    let feeds = arc.walk().sweep().feeds();
+    match arc.step() {
+        Some(Pulse(pulse)) => [feeds.towards.axis.of(pulse) != 0, feeds.away.axis.of(pulse) != 0],
+        None => panic!("an axis is on its way"),
+    }
+}

@@ -68,3 +68,18 @@ fn comparison_arc_done_means_end_point() {
     kani::cover!(is_done);
     kani::cover!(!is_done);
 }
+
+/// Where F decides: the axis of which the pulse is due first. Past intervals and half of the present one
+/// differ by (−2F + (2t − 1) − (2a + 1))/4, which is below zero where F > t − a − 1.
+#[kani::proof]
+fn comparison_arc_step_follows_rule() {
+    let mut arc = any_state::<Arc>();
+    kani::assume(arc.walk().is_free());
+    let (f, [t, a]) = (arc.walk().deviation_function(), circle_walk::magnitudes(arc.walk()));
+    let due = circle_walk::fed(&mut arc);
+    kani::cover!(due[0] && due[1]);
+    kani::cover!(due[0] && !due[1]);
+    kani::cover!(!due[0] && due[1]);
+    let level = t - a - 1;
+    assert!(due[0] == (f >= level) && due[1] == (f <= level));
+}

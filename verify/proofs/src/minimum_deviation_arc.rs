@@ -69,3 +69,20 @@ fn minimum_deviation_arc_done_means_end_point() {
     kani::cover!(is_done);
     kani::cover!(!is_done);
 }
+
+/// Where F decides, no other step that leads on would leave less of it: in whole numbers the least |F| is
+/// that of one step alone.
+#[kani::proof]
+fn minimum_deviation_arc_step_follows_rule() {
+    let mut arc = any_state::<Arc>();
+    kani::assume(arc.walk().is_free());
+    let (f, [t, a]) = (arc.walk().deviation_function(), circle_walk::magnitudes(arc.walk()));
+    let due = circle_walk::fed(&mut arc);
+    let left = arc.walk().deviation_function().abs();
+    kani::cover!(due[0] && due[1]);
+    kani::cover!(due[0] && !due[1]);
+    kani::cover!(!due[0] && due[1]);
+    assert!(left < (f - 2 * t + 1).abs() || due == [true, false]);
+    assert!(left < (f + 2 * a + 1).abs() || due == [false, true]);
+    assert!(left < (f - 2 * t + 1 + 2 * a + 1).abs() || due == [true, true]);
+}

@@ -69,3 +69,19 @@ fn vector_arc_done_means_end_point() {
     kani::cover!(is_done);
     kani::cover!(!is_done);
 }
+
+/// Where F decides: the smaller coordinate's axis always, the other one to get back over the circle.
+#[kani::proof]
+fn vector_arc_step_follows_rule() {
+    let mut arc = any_state::<Arc>();
+    kani::assume(arc.walk().is_free());
+    let (f, [t, a]) = (arc.walk().deviation_function(), circle_walk::magnitudes(arc.walk()));
+    let due = circle_walk::fed(&mut arc);
+    kani::cover!(due[0] && due[1]);
+    kani::cover!(due[0] && !due[1]);
+    kani::cover!(!due[0] && due[1]);
+    let leads_out = t > a;
+    assert!(if leads_out { due[1] } else { due[0] });
+    assert!(due[0] && due[1] || (f < 0) == leads_out);
+    assert!(!(due[0] && due[1]) || (f >= 0) == leads_out);
+}

@@ -5,6 +5,7 @@
 
 use crate::product::product;
 use crate::same::same;
+use onepulse_core::Axis;
 use onepulse_core::vector::Line;
 
 /// The two products of V.
@@ -47,6 +48,7 @@ fn vector_line_new_establishes_invariant() {
     assert!(line.vector_product() == 0 && same(line.position(), [0, 0]));
     assert!(same(line.pulses_to_go(), magnitude));
     assert!(line.remaining() == magnitude[0].max(magnitude[1]));
+    assert!((line.longer() == Axis::X) == (magnitude[0] >= magnitude[1]));
 }
 
 /// A pulse of the longer axis on every step, and V as it is defined.
