@@ -15,14 +15,18 @@
 
 mod any;
 mod brm;
+mod brm_smoothed;
 mod centred_arc;
 mod dda_arc;
 mod dda_line;
 mod hardware;
+mod helix;
+mod parabola;
 mod ppc_arc;
 mod ppc_line;
 mod product;
 mod quadrant_walk;
 mod same;
+mod space_line;
 #[cfg(feature = "wrong")]
 mod wrong;
