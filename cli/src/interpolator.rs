@@ -172,6 +172,9 @@ pub(crate) fn with_host<V: Visitor>(
                 }
                 Method::Dda { .. } => return Err(machine::HALF_LOAD_ONLY.usage()),
                 Method::Brm => return Err(machine::LINES_ONLY.usage()),
+                Method::MinDeviation | Method::Vector | Method::CompareIntegral => {
+                    return Err(machine::SOFTWARE_ONLY.usage());
+                }
             };
             show(Host::new(command, timing, bits)?, from.map(i64::from), visitor)
         }
@@ -192,6 +195,9 @@ fn line<V: Visitor, const AXES: usize>(
             Command::dda_line(to, preset.unwrap_or_default(), normalize, period)
         }
         Method::Brm => Command::brm_line(to, period),
+        Method::MinDeviation | Method::Vector | Method::CompareIntegral => {
+            return Err(machine::SOFTWARE_ONLY.usage());
+        }
     };
     show(Host::new(command, timing, bits)?, [0; AXES], visitor)
 }

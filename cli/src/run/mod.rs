@@ -12,7 +12,7 @@ use crate::args::RunArguments;
 use crate::choice::Method;
 use crate::curve::Curve;
 use crate::failure::Failure;
-use crate::machine::{Refusal, with_machines};
+use crate::machine::{Refusal, SOFTWARE_ONLY, with_machines};
 use block::BlockRun;
 use config::Config;
 use deviation::Deviation;
@@ -27,6 +27,15 @@ use std::io::BufReader;
 pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let config = Config::load(arguments)?;
     let method = Method::from_options(&config.options).map_err(Failure::Usage)?;
+    // What a run is for is to hold the software against the circuit.
+    if !method.has_circuit() {
+        return Err(match &arguments.config {
+            Some(path) if arguments.options.method.is_none() => {
+                Failure::Fault(format!("{}: method: {SOFTWARE_ONLY}", path.display()))
+            }
+            _ => SOFTWARE_ONLY.usage(),
+        });
+    }
     let name = arguments.program.display().to_string();
     let open = |error| Failure::file(&arguments.program, &error);
     let input = File::open(&arguments.program).map_err(open)?;

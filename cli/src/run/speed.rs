@@ -36,7 +36,13 @@ impl Speed {
         let speed = self.pulses_per_second();
         let accumulations = |shift: u32| 2_f64.powi(bits.saturating_sub(shift) as i32);
         match (method, curve) {
-            (Method::Ppc { .. }, _) => speed,
+            (
+                Method::Ppc { .. }
+                | Method::MinDeviation
+                | Method::Vector
+                | Method::CompareIntegral,
+                _,
+            ) => speed,
             (Method::Dda { .. } | Method::Brm, Curve::Line { to }) => {
                 let length = to.iter().map(|&c| f64::from(c).powi(2)).sum::<f64>().sqrt();
                 speed * accumulations(line_shift(to, method, bits)) / length

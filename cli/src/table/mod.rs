@@ -98,6 +98,9 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<(), Failure> {
                 print(&dda::CentredArcTable { machine: machine.map_err(write)? }, arguments)
             }
         }
+        (Method::MinDeviation | Method::Vector | Method::CompareIntegral, _) => {
+            Err(Failure::Usage("this method has no table: --method ppc, dda and brm have".into()))
+        }
         (Method::Brm, Curve::Arc { .. }) => {
             Err(Failure::Usage("the rate multiplier serves lines only".into()))
         }
@@ -144,7 +147,7 @@ impl Visitor for Ending {
     fn visit<S, C, const N: usize>(
         self,
         software: S,
-        _: impl FnOnce() -> Result<C, Error>,
+        _: impl FnOnce() -> Result<C, Refusal>,
         start: [i64; N],
     ) where
         S: Iterator<Item = Pulse<N>>,
