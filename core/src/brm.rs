@@ -5,6 +5,10 @@
 //! 2^(n−1). No clock passes two stages, so the stages that an axis' value gates can be joined to
 //! one train of exactly `value` pulses.
 
+mod smoothed;
+
+pub use smoothed::Smoothed;
+
 #[cfg(feature = "proofs")]
 use crate::pulse::signed;
 use crate::{
@@ -15,7 +19,8 @@ use crate::{
 /// A line from the origin, any number of axes sharing one divider chain.
 ///
 /// The end is exact, but the trains are uneven: the largest deviation from the line grows with
-/// n and exceeds one pulse from n = 5 on (n·√5/10 at x = 1010…b, y = x/2).
+/// n and exceeds one pulse from n = 5 on (n·√5/10 at x = 1010…b, y = x/2). [`Smoothed`] is the
+/// same with a divider behind.
 ///
 /// ```
 /// use onepulse_core::{Pulse, brm};

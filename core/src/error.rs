@@ -33,6 +33,15 @@ pub enum Error {
     NormalizationNeedsBinary,
     /// Arcs are integrated in binary registers.
     ArcNeedsBinary,
+    /// A parabola y² = 2px with p = 0 is no curve.
+    NoParameter,
+    /// The end point lies on the side of the vertex to which the parabola does not open.
+    EndBehindVertex {
+        /// The parabola's end point.
+        end: [i32; 2],
+    },
+    /// Parabolas are integrated in binary registers.
+    ParabolaNeedsBinary,
 }
 
 impl fmt::Display for Error {
@@ -60,6 +69,14 @@ impl fmt::Display for Error {
             }
             Self::ArcNeedsBinary => {
                 f.write_str("arcs are integrated in binary registers: use radix 2")
+            }
+            Self::NoParameter => f.write_str("the parabola has the parameter 0: it is no curve"),
+            Self::EndBehindVertex { end: [x, y] } => write!(
+                f,
+                "the end point {x},{y} lies behind the vertex: the parabola opens to the other side"
+            ),
+            Self::ParabolaNeedsBinary => {
+                f.write_str("parabolas are integrated in binary registers: use radix 2")
             }
         }
     }

@@ -14,6 +14,8 @@
 //! | [`minimum_deviation`] | minimum deviation (最小偏差法) | line of any number of axes, arc |
 //! | [`vector`] | vector discrimination (矢量判别法) | line, arc |
 //! | [`comparison`] | comparison integration (比较积分法) | line, arc |
+//! | [`Helix`] | comparison in a plane, digital integration across it | helix |
+//! | [`parabola`] | point-by-point comparison, minimum deviation, digital integration | parabola |
 //!
 //! ```
 //! use onepulse_core::{EndRule, Pulse, ppc};
@@ -35,7 +37,9 @@ pub mod comparison;
 pub mod dda;
 mod end_rule;
 mod error;
+mod helix;
 pub mod minimum_deviation;
+pub mod parabola;
 pub mod ppc;
 mod pulse;
 mod quadrant;
@@ -45,6 +49,7 @@ mod walk;
 
 pub use end_rule::EndRule;
 pub use error::Error;
+pub use helix::{Helix, Plane};
 pub use pulse::{Axis, Pulse};
 pub use quadrant::{Direction, Feed, Feeds, Quadrant};
 pub use sweep::Sweep;

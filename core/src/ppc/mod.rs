@@ -13,6 +13,8 @@
 
 mod arc;
 mod line;
+mod space_line;
 
 pub use arc::Arc;
 pub use line::Line;
+pub use space_line::SpaceLine;
