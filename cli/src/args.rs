@@ -1,7 +1,7 @@
 //! The command line.
 
 use crate::choice::{EndRuleName, MethodName, PresetName, UpdateName};
-use crate::curve::{Curve, PlanePoint, Point};
+use crate::curve::{AxisName, Curve, PlaneName, PlanePoint, Point, coordinate};
 use crate::interpolator::DriveTimes;
 use crate::table::{Format, Language};
 use clap::{Args, Parser, Subcommand};
@@ -152,6 +152,40 @@ enum CurveCommand {
         #[arg(long)]
         ccw: bool,
     },
+    /// A parabola from its vertex in the origin: y² = 2px, or x² = 2py
+    Parabola {
+        /// The parameter p; below zero the parabola opens to the negative side of its axis
+        #[arg(long, value_name = "P", allow_hyphen_values = true, value_parser = coordinate)]
+        p: i32,
+        /// The end point; on the parabola, or rounded to pulses
+        #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+        to: PlanePoint,
+        /// The axis of symmetry
+        #[arg(long, value_enum, default_value_t)]
+        axis: AxisName,
+    },
+    /// An arc about the origin of a plane, with a rise across it
+    #[command(group(clap::ArgGroup::new("turn").required(true).args(["cw", "ccw"])))]
+    Helix {
+        /// The start point in the plane
+        #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+        from: PlanePoint,
+        /// The end point in the plane; the start point means a full turn
+        #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+        to: PlanePoint,
+        /// The way across the plane
+        #[arg(long, value_name = "Z", allow_hyphen_values = true, value_parser = coordinate)]
+        rise: i32,
+        /// The plane of the arc
+        #[arg(long, value_enum, default_value_t)]
+        plane: PlaneName,
+        /// Clockwise
+        #[arg(long)]
+        cw: bool,
+        /// Counter-clockwise
+        #[arg(long)]
+        ccw: bool,
+    },
 }
 
 /// How to interpolate.
@@ -179,16 +213,39 @@ pub(crate) struct Options {
     /// DDA arcs: the centred staggered circuit, or the textbook's [default: staggered]
     #[arg(long, value_enum, global = true)]
     pub(crate) update: Option<UpdateName>,
+    /// Send the rate multiplier's trains through dividers by 2^K, of which its source makes up by
+    /// 2^K times the clocks
+    #[arg(
+        long,
+        value_name = "K",
+        global = true,
+        allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(0..=31)
+    )]
+    pub(crate) smooth: Option<u32>,
 }
 
 impl CurveArguments {
     /// The curve.
     pub(crate) fn curve(&self) -> Curve {
-        match &self.curve {
-            CurveCommand::Line { to } => Curve::Line { to: to.0.clone() },
-            CurveCommand::Arc { from, to, cw, .. } => {
-                let direction = if *cw { Direction::Cw } else { Direction::Ccw };
-                Curve::Arc { from: from.0, to: to.0, direction }
+        self.curve.curve()
+    }
+}
+
+impl CurveCommand {
+    fn curve(&self) -> Curve {
+        let sense = |is_cw| if is_cw { Direction::Cw } else { Direction::Ccw };
+        match *self {
+            Self::Line { ref to } => Curve::Line { to: to.0.clone() },
+            Self::Arc { from, to, cw, .. } => {
+                Curve::Arc { from: from.0, to: to.0, direction: sense(cw) }
+            }
+            Self::Parabola { p, to, axis } => {
+                Curve::Parabola { axis: axis.into(), parameter: p, to: to.0 }
+            }
+            Self::Helix { from, to, rise, plane, cw, .. } => {
+                let (from, to, direction) = (from.0, to.0, sense(cw));
+                Curve::Helix { plane: plane.into(), from, to, direction, rise }
             }
         }
     }

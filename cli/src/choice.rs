@@ -74,7 +74,7 @@ pub(crate) enum UpdateName {
 pub(crate) enum Method {
     Ppc { end_rule: EndRule },
     Dda { radix: Radix, preset: Option<Preset>, normalize: bool, update: UpdateName },
-    Brm,
+    Brm { smoothing: u32 },
     MinDeviation,
     Vector,
     CompareIntegral,
@@ -93,6 +93,7 @@ impl Method {
             (options.normalize, "--normalize", MethodName::Dda),
             (options.update.is_some(), "--update", MethodName::Dda),
             (options.end_rule.is_some(), "--end-rule", MethodName::Ppc),
+            (options.smooth.is_some(), "--smooth", MethodName::Brm),
         ];
         let is_foreign = |(is_given, _, owner): &&(bool, _, _)| *is_given && *owner != name;
         if let Some((_, option, owner)) = owned.iter().find(is_foreign) {
@@ -119,7 +120,7 @@ impl Method {
                 normalize: options.normalize,
                 update: options.update.unwrap_or(UpdateName::Staggered),
             },
-            MethodName::Brm => Self::Brm,
+            MethodName::Brm => Self::Brm { smoothing: options.smooth.unwrap_or(0) },
             MethodName::MinDeviation => Self::MinDeviation,
             MethodName::Vector => Self::Vector,
             MethodName::CompareIntegral => Self::CompareIntegral,
@@ -131,7 +132,7 @@ impl Method {
         let name = match self {
             Self::Ppc { .. } => MethodName::Ppc,
             Self::Dda { .. } => MethodName::Dda,
-            Self::Brm => MethodName::Brm,
+            Self::Brm { .. } => MethodName::Brm,
             Self::MinDeviation => MethodName::MinDeviation,
             Self::Vector => MethodName::Vector,
             Self::CompareIntegral => MethodName::CompareIntegral,
@@ -139,8 +140,8 @@ impl Method {
         name.name()
     }
 
-    /// Whether the hardware model has the method.
+    /// Whether the hardware model has circuits of the method.
     pub(crate) const fn has_circuit(&self) -> bool {
-        matches!(self, Self::Ppc { .. } | Self::Dda { .. } | Self::Brm)
+        matches!(self, Self::Ppc { .. } | Self::Dda { .. } | Self::Brm { smoothing: 0 })
     }
 }

@@ -4,7 +4,8 @@ use crate::choice::{Method, UpdateName};
 use crate::curve::Curve;
 use crate::failure::Failure;
 use onepulse_core::dda::{Preset, Radix, Register};
-use onepulse_core::{Direction, Error, Pulse, Sweep};
+use onepulse_core::parabola::{self, Shape};
+use onepulse_core::{Direction, EndRule, Error, Helix, Plane, Pulse, Sweep};
 use onepulse_core::{brm, comparison, dda, minimum_deviation, ppc, vector};
 use onepulse_hwmodel::trace::Probe;
 use onepulse_hwmodel::{self as hw, Circuit};
@@ -27,17 +28,31 @@ pub(crate) const HALF_LOAD_ONLY: Refusal = Refusal::Method(
 
 /// A line of more axes by a method of the plane.
 const TWO_AXES_ONLY: Refusal = Refusal::Method(
-    "this method serves lines of 2 axes only: use --method dda, brm or min-deviation",
+    "this method serves lines of 2 axes only: use --method ppc, dda, brm or min-deviation",
+);
+
+/// More stages than there are.
+const TOO_SMOOTH: Refusal = Refusal::Method(
+    "--smooth: the multiplier and the dividers behind it have 32 stages at most together",
 );
 
 /// An arc by the rate multiplier.
 pub(crate) const LINES_ONLY: Refusal =
     Refusal::Method("the rate multiplier serves lines only: use another --method");
 
-/// A method that only the software has.
+/// What only the software does.
 pub(crate) const SOFTWARE_ONLY: Refusal = Refusal::Method(
-    "this method has no circuit: --method ppc, dda and brm have one (pulses, table and compare \
-     need none)",
+    "the hardware model has no circuit for this: it has them for --method ppc (lines of 2 axes, \
+     arcs), dda (lines, arcs) and brm (lines, without --smooth); pulses needs none",
+);
+
+/// A parabola by a method that has none.
+const NO_PARABOLA: Refusal =
+    Refusal::Method("parabolas are served by --method ppc, dda and min-deviation only");
+
+/// Where every counter counts to the end, and no other rule is known.
+const NO_LARGER: Refusal = Refusal::Method(
+    "--end-rule larger is for lines of 2 axes and arcs: this curve always ends exactly",
 );
 
 impl Refusal {
@@ -48,7 +63,8 @@ impl Refusal {
                 "--bits: "
             }
             Self::Machine(Error::StartInCentre | Error::CircleTooLarge { .. }) => "--from: ",
-            Self::Machine(Error::EndInCentre) => "--to: ",
+            Self::Machine(Error::EndInCentre | Error::EndBehindVertex { .. }) => "--to: ",
+            Self::Machine(Error::NoParameter) => "--p: ",
             _ => "",
         };
         Failure::Usage(format!("{option}{self}"))
@@ -131,6 +147,13 @@ pub(crate) fn with_machines<V: Visitor>(
             _ => Err(Refusal::Method("a line has 2 to 4 axes")),
         },
         &Curve::Arc { from, to, direction } => arc(from, to, direction, method, bits, visitor),
+        &Curve::Parabola { axis, parameter, to } => {
+            let needed = holding(Radix::Binary, &[to[0], to[1], parameter]);
+            parabola(Shape::new(axis, parameter, to)?, needed, method, bits, visitor)
+        }
+        &Curve::Helix { plane, from, to, direction, rise } => {
+            helix(plane, [from, to], direction, rise, method, bits, visitor)
+        }
     }
 }
 
@@ -158,7 +181,9 @@ fn plane_line<V: Visitor>(
             width(bits, 32, needed)?;
             Ok(visitor.visit(comparison::Line::new(to)?, no_circuit, start))
         }
-        Method::Dda { .. } | Method::Brm | Method::MinDeviation => line(to, method, bits, visitor),
+        Method::Dda { .. } | Method::Brm { .. } | Method::MinDeviation => {
+            line(to, method, bits, visitor)
+        }
     }
 }
 
@@ -179,16 +204,28 @@ fn line<V: Visitor, const AXES: usize>(
             let circuit = || Ok(hw::dda::Line::new(to, digits, preset, normalize)?);
             Ok(visitor.visit(software, circuit, start))
         }
-        Method::Brm => {
+        Method::Brm { smoothing } => {
             let bits = bits.unwrap_or_else(|| holding(Radix::Binary, &to));
             let software = brm::Line::new(to, bits)?;
-            Ok(visitor.visit(software, || Ok(hw::brm::Line::new(to, bits)?), start))
+            if smoothing == 0 {
+                return Ok(visitor.visit(software, || Ok(hw::brm::Line::new(to, bits)?), start));
+            }
+            // The width itself is right: it is the sum of the two that is too much.
+            let software = brm::Smoothed::new(to, bits, smoothing).map_err(|_| TOO_SMOOTH)?;
+            Ok(visitor.visit(software, no_circuit, start))
+        }
+        Method::Ppc { end_rule } => {
+            if end_rule == EndRule::Larger {
+                return Err(NO_LARGER);
+            }
+            width(bits, 32, holding(Radix::Binary, &to))?;
+            Ok(visitor.visit(ppc::SpaceLine::new(to)?, no_circuit, start))
         }
         Method::MinDeviation => {
             width(bits, 32, holding(Radix::Binary, &to))?;
             Ok(visitor.visit(minimum_deviation::Line::new(to)?, no_circuit, start))
         }
-        Method::Ppc { .. } | Method::Vector | Method::CompareIntegral => Err(TWO_AXES_ONLY),
+        Method::Vector | Method::CompareIntegral => Err(TWO_AXES_ONLY),
     }
 }
 
@@ -242,7 +279,60 @@ fn arc<V: Visitor>(
             width(bits, 32, holding_arc(from, to, direction)?)?;
             Ok(visitor.visit(comparison::Arc::new(from, to, direction)?, no_circuit, start))
         }
-        Method::Brm => Err(LINES_ONLY),
+        Method::Brm { .. } => Err(LINES_ONLY),
+    }
+}
+
+fn parabola<V: Visitor>(
+    shape: Shape,
+    needed: u32,
+    method: &Method,
+    bits: Option<u32>,
+    visitor: V,
+) -> Result<V::Output, Refusal> {
+    let start = [0; 2];
+    match *method {
+        Method::Ppc { end_rule: EndRule::Larger } => Err(NO_LARGER),
+        Method::Ppc { .. } => {
+            width(bits, 32, needed)?;
+            Ok(visitor.visit(parabola::Ppc::new(shape)?, no_circuit, start))
+        }
+        Method::MinDeviation => {
+            width(bits, 32, needed)?;
+            Ok(visitor.visit(parabola::MinimumDeviation::new(shape)?, no_circuit, start))
+        }
+        Method::Dda { normalize: true, .. } => {
+            Err(Refusal::Method("--normalize is for lines and arcs: leave it out"))
+        }
+        Method::Dda { radix, preset, .. } => {
+            let bits = bits.unwrap_or_else(|| parabola::Dda::bits(&shape));
+            let register = Register::new(radix, bits)?;
+            let software = parabola::Dda::new(shape, register, preset.unwrap_or_default())?;
+            Ok(visitor.visit(software, no_circuit, start))
+        }
+        Method::Brm { .. } | Method::Vector | Method::CompareIntegral => Err(NO_PARABOLA),
+    }
+}
+
+fn helix<V: Visitor>(
+    plane: Plane,
+    [from, to]: [[i32; 2]; 2],
+    direction: Direction,
+    rise: i32,
+    method: &Method,
+    bits: Option<u32>,
+    visitor: V,
+) -> Result<V::Output, Refusal> {
+    match method {
+        Method::Ppc { end_rule: EndRule::Larger } => Err(NO_LARGER),
+        Method::Ppc { .. } => {
+            let needed = holding_arc(from, to, direction)?.max(holding(Radix::Binary, &[rise]));
+            width(bits, 32, needed)?;
+            let software = Helix::new(plane, from, to, direction, rise)?;
+            let start = plane.place([from[0], from[1], 0]).map(i64::from);
+            Ok(visitor.visit(software, no_circuit, start))
+        }
+        _ => Err(Refusal::Method("helices are served by --method ppc only")),
     }
 }
 
