@@ -1,6 +1,7 @@
 //! The command line.
 
 use crate::choice::{EndRuleName, MethodName, PresetName, UpdateName};
+use crate::compare;
 use crate::curve::{AxisName, Curve, PlaneName, PlanePoint, Point, coordinate};
 use crate::interpolator::DriveTimes;
 use crate::table::{Format, Language};
@@ -23,6 +24,28 @@ pub(crate) enum Command {
     Pulses(CurveArguments),
     /// The step table of one curve as a textbook prints it
     Table(TableArguments),
+    /// All methods side by side on one curve
+    ///
+    /// A line for each method that serves the curve and for each of its settings worth one. A cycle
+    /// is a step of four beats, an accumulation or a clock of the rate multiplier's source, as in
+    /// `onepulse pulses`; and of each method there are
+    ///
+    /// cycles, pulses of each axis;
+    ///
+    /// deviation, largest and root mean square: the distance from the true curve, in pulses, after
+    /// every cycle that emits a pulse (an arc's curve is the circle through its start);
+    ///
+    /// v/v_max, the feed ratio: v is the length of the true curve that a cycle advances, v_max what it
+    /// would with a pulse on every axis that the method may feed in one cycle: 1 pulse with ppc, which
+    /// feeds one, and √2 with the others in the plane (√3 and 2 on lines of 3 and 4 axes). Its mean is
+    /// that of the whole curve; least and largest are those of its parts, which are as many as are 32
+    /// pulses long, 360 at most; spread is the largest by the least;
+    ///
+    /// jitter of each axis: the standard deviation of the cycles between successive pulses, divided by
+    /// their mean (on arcs and parabolas these cycles change by themselves, however even the feed);
+    ///
+    /// end: exact, or what is missing to the end point.
+    Compare(CompareArguments),
     /// The hardware model's wave of one curve
     Wave(WaveArguments),
     /// A G-code program: pulses, waves, a picture and a report
@@ -36,6 +59,21 @@ pub(crate) struct CurveArguments {
     curve: CurveCommand,
     #[command(flatten)]
     pub(crate) options: Options,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CompareArguments {
+    #[command(subcommand)]
+    pub(crate) curve: CurveCommand,
+    /// Register width [default: for each method the smallest that serves the curve]
+    #[arg(long, value_name = "N", global = true, allow_negative_numbers = true)]
+    pub(crate) bits: Option<u32>,
+    /// How to write the comparison
+    #[arg(long, value_enum, default_value_t, global = true)]
+    pub(crate) format: compare::Format,
+    /// Draw all paths over the true curve as SVG: plane curves of up to 64 pulses' length
+    #[arg(long, value_name = "FILE.svg", global = true)]
+    pub(crate) picture: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
@@ -129,7 +167,7 @@ pub(crate) struct RunArguments {
 }
 
 #[derive(Debug, Subcommand)]
-enum CurveCommand {
+pub(crate) enum CurveCommand {
     /// A line from the origin
     Line {
         /// The end point, 2 to 4 axes
@@ -233,7 +271,8 @@ impl CurveArguments {
 }
 
 impl CurveCommand {
-    fn curve(&self) -> Curve {
+    /// The curve.
+    pub(crate) fn curve(&self) -> Curve {
         let sense = |is_cw| if is_cw { Direction::Cw } else { Direction::Ccw };
         match *self {
             Self::Line { ref to } => Curve::Line { to: to.0.clone() },

@@ -2,6 +2,7 @@
 
 use clap::ValueEnum;
 use onepulse_core::{Axis, Direction, Plane};
+use std::fmt;
 use std::str::FromStr;
 
 /// A curve in pulses.
@@ -15,6 +16,35 @@ pub(crate) enum Curve {
     Parabola { axis: Axis, parameter: i32, to: [i32; 2] },
     /// An arc about the origin of a plane, and a rise across it; points in the plane's own axes.
     Helix { plane: Plane, from: [i32; 2], to: [i32; 2], direction: Direction, rise: i32 },
+}
+
+/// As the command line gives it.
+impl fmt::Display for Curve {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sense = |direction: &_| if *direction == Direction::Cw { "cw" } else { "ccw" };
+        match self {
+            Self::Line { to } => {
+                let to: Vec<_> = to.iter().map(i32::to_string).collect();
+                write!(f, "line --to {}", to.join(","))
+            }
+            Self::Arc { from: [x, y], to: [xe, ye], direction } => {
+                write!(f, "arc --from {x},{y} --to {xe},{ye} --{}", sense(direction))
+            }
+            Self::Parabola { axis, parameter, to: [x, y] } => {
+                let upright = if *axis == Axis::Y { " --axis y" } else { "" };
+                write!(f, "parabola --p {parameter} --to {x},{y}{upright}")
+            }
+            Self::Helix { plane, from: [x, y], to: [xe, ye], direction, rise } => {
+                let plane = match plane {
+                    Plane::Xy => "",
+                    Plane::Zx => " --plane zx",
+                    Plane::Yz => " --plane yz",
+                };
+                let sense = sense(direction);
+                write!(f, "helix --from {x},{y} --to {xe},{ye} --rise {rise} --{sense}{plane}")
+            }
+        }
+    }
 }
 
 /// An axis by its letter.

@@ -589,7 +589,7 @@ fn the_longest_lines_stream_until_nobody_reads() {
         "parabola --p 2147483647 --to 5,-2147483648 --method dda --preset half",
         "helix --from 2147483647,0 --to 2147483647,0 --cw --rise -2147483648",
         "line --to 2147483647,-2147483648,2147483647,1",
-        "line --to 65535,65534 --method brm --smooth 16",
+        "line --to 1073741823,1 --method brm --smooth 2",
     ] {
         assert_eq!(check_streaming(curve).len(), 4, "{curve}");
     }

@@ -2,7 +2,7 @@
 
 mod brm;
 mod dda;
-mod layout;
+pub(crate) mod layout;
 mod ppc;
 
 use crate::args::TableArguments;
