@@ -1,7 +1,8 @@
 //! The command line.
 
 use crate::choice::{EndRuleName, MethodName, PresetName, UpdateName};
-use crate::curve::{Curve, PlanePoint, Point};
+use crate::compare;
+use crate::curve::{AxisName, Curve, PlaneName, PlanePoint, Point, coordinate};
 use crate::feed_rate::FeedRateArguments;
 use crate::interpolator::DriveTimes;
 use crate::table::{Format, Language};
@@ -24,6 +25,28 @@ pub(crate) enum Command {
     Pulses(CurveArguments),
     /// The step table of one curve as a textbook prints it
     Table(TableArguments),
+    /// All methods side by side on one curve
+    ///
+    /// A line for each method that serves the curve and for each of its settings worth one. A cycle
+    /// is a step of four beats, an accumulation or a clock of the rate multiplier's source, as in
+    /// `onepulse pulses`; and of each method there are
+    ///
+    /// cycles, pulses of each axis;
+    ///
+    /// deviation, largest and root mean square: the distance from the true curve, in pulses, after
+    /// every cycle that emits a pulse (an arc's curve is the circle through its start);
+    ///
+    /// v/v_max, the feed ratio: v is the length of the true curve that a cycle advances, v_max what it
+    /// would with a pulse on every axis that the method may feed in one cycle: 1 pulse with ppc, which
+    /// feeds one, and √2 with the others in the plane (√3 and 2 on lines of 3 and 4 axes). Its mean is
+    /// that of the whole curve; least and largest are those of its parts, which are as many as are 32
+    /// pulses long, 360 at most; spread is the largest by the least;
+    ///
+    /// jitter of each axis: the standard deviation of the cycles between successive pulses, divided by
+    /// their mean (on arcs and parabolas these cycles change by themselves, however even the feed);
+    ///
+    /// end: exact, or what is missing to the end point.
+    Compare(CompareArguments),
     /// The hardware model's wave of one curve
     Wave(WaveArguments),
     /// How fast the methods go, over the direction of a line or over its length
@@ -39,6 +62,21 @@ pub(crate) struct CurveArguments {
     curve: CurveCommand,
     #[command(flatten)]
     pub(crate) options: Options,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CompareArguments {
+    #[command(subcommand)]
+    pub(crate) curve: CurveCommand,
+    /// Register width [default: for each method the smallest that serves the curve]
+    #[arg(long, value_name = "N", global = true, allow_negative_numbers = true)]
+    pub(crate) bits: Option<u32>,
+    /// How to write the comparison
+    #[arg(long, value_enum, default_value_t, global = true)]
+    pub(crate) format: compare::Format,
+    /// Draw all paths over the true curve as SVG: plane curves of up to 64 pulses' length
+    #[arg(long, value_name = "FILE.svg", global = true)]
+    pub(crate) picture: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
@@ -132,7 +170,7 @@ pub(crate) struct RunArguments {
 }
 
 #[derive(Debug, Subcommand)]
-enum CurveCommand {
+pub(crate) enum CurveCommand {
     /// A line from the origin
     Line {
         /// The end point, 2 to 4 axes
@@ -148,6 +186,40 @@ enum CurveCommand {
         /// The end point
         #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
         to: PlanePoint,
+        /// Clockwise
+        #[arg(long)]
+        cw: bool,
+        /// Counter-clockwise
+        #[arg(long)]
+        ccw: bool,
+    },
+    /// A parabola from its vertex in the origin: y² = 2px, or x² = 2py
+    Parabola {
+        /// The parameter p; below zero the parabola opens to the negative side of its axis
+        #[arg(long, value_name = "P", allow_hyphen_values = true, value_parser = coordinate)]
+        p: i32,
+        /// The end point; on the parabola, or rounded to pulses
+        #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+        to: PlanePoint,
+        /// The axis of symmetry
+        #[arg(long, value_enum, default_value_t)]
+        axis: AxisName,
+    },
+    /// An arc about the origin of a plane, with a rise across it
+    #[command(group(clap::ArgGroup::new("turn").required(true).args(["cw", "ccw"])))]
+    Helix {
+        /// The start point in the plane
+        #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+        from: PlanePoint,
+        /// The end point in the plane; the start point means a full turn
+        #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+        to: PlanePoint,
+        /// The way across the plane
+        #[arg(long, value_name = "Z", allow_hyphen_values = true, value_parser = coordinate)]
+        rise: i32,
+        /// The plane of the arc
+        #[arg(long, value_enum, default_value_t)]
+        plane: PlaneName,
         /// Clockwise
         #[arg(long)]
         cw: bool,
@@ -182,16 +254,40 @@ pub(crate) struct Options {
     /// DDA arcs: the centred staggered circuit, or the textbook's [default: staggered]
     #[arg(long, value_enum, global = true)]
     pub(crate) update: Option<UpdateName>,
+    /// Send the rate multiplier's trains through dividers by 2^K, of which its source makes up by
+    /// 2^K times the clocks
+    #[arg(
+        long,
+        value_name = "K",
+        global = true,
+        allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(0..=31)
+    )]
+    pub(crate) smooth: Option<u32>,
 }
 
 impl CurveArguments {
     /// The curve.
     pub(crate) fn curve(&self) -> Curve {
-        match &self.curve {
-            CurveCommand::Line { to } => Curve::Line { to: to.0.clone() },
-            CurveCommand::Arc { from, to, cw, .. } => {
-                let direction = if *cw { Direction::Cw } else { Direction::Ccw };
-                Curve::Arc { from: from.0, to: to.0, direction }
+        self.curve.curve()
+    }
+}
+
+impl CurveCommand {
+    /// The curve.
+    pub(crate) fn curve(&self) -> Curve {
+        let sense = |is_cw| if is_cw { Direction::Cw } else { Direction::Ccw };
+        match *self {
+            Self::Line { ref to } => Curve::Line { to: to.0.clone() },
+            Self::Arc { from, to, cw, .. } => {
+                Curve::Arc { from: from.0, to: to.0, direction: sense(cw) }
+            }
+            Self::Parabola { p, to, axis } => {
+                Curve::Parabola { axis: axis.into(), parameter: p, to: to.0 }
+            }
+            Self::Helix { from, to, rise, plane, cw, .. } => {
+                let (from, to, direction) = (from.0, to.0, sense(cw));
+                Curve::Helix { plane: plane.into(), from, to, direction, rise }
             }
         }
     }

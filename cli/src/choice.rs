@@ -16,6 +16,26 @@ pub(crate) enum MethodName {
     Dda,
     /// Binary rate multiplier (lines only)
     Brm,
+    /// Minimum deviation
+    MinDeviation,
+    /// Vector discrimination
+    Vector,
+    /// Comparison integration
+    CompareIntegral,
+}
+
+impl MethodName {
+    /// As it is written.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Ppc => "ppc",
+            Self::Dda => "dda",
+            Self::Brm => "brm",
+            Self::MinDeviation => "min-deviation",
+            Self::Vector => "vector",
+            Self::CompareIntegral => "compare-integral",
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Deserialize)]
@@ -54,7 +74,10 @@ pub(crate) enum UpdateName {
 pub(crate) enum Method {
     Ppc { end_rule: EndRule },
     Dda { radix: Radix, preset: Option<Preset>, normalize: bool, update: UpdateName },
-    Brm,
+    Brm { smoothing: u32 },
+    MinDeviation,
+    Vector,
+    CompareIntegral,
 }
 
 impl Method {
@@ -64,21 +87,17 @@ impl Method {
     /// does not expect.
     pub(crate) fn from_options(options: &Options) -> Result<Self, String> {
         let name = options.method.unwrap_or(MethodName::Ppc);
-        let of_dda = [
-            (options.radix.is_some(), "--radix"),
-            (options.preset.is_some(), "--preset"),
-            (options.normalize, "--normalize"),
-            (options.update.is_some(), "--update"),
+        let owned = [
+            (options.radix.is_some(), "--radix", MethodName::Dda),
+            (options.preset.is_some(), "--preset", MethodName::Dda),
+            (options.normalize, "--normalize", MethodName::Dda),
+            (options.update.is_some(), "--update", MethodName::Dda),
+            (options.end_rule.is_some(), "--end-rule", MethodName::Ppc),
+            (options.smooth.is_some(), "--smooth", MethodName::Brm),
         ];
-        let of_ppc = [(options.end_rule.is_some(), "--end-rule")];
-        let foreign: &[_] = match name {
-            MethodName::Ppc => &of_dda,
-            MethodName::Dda => &of_ppc,
-            MethodName::Brm => &[of_dda[0], of_dda[1], of_dda[2], of_dda[3], of_ppc[0]],
-        };
-        if let Some((_, option)) = foreign.iter().find(|(is_given, _)| *is_given) {
-            let owner = if *option == "--end-rule" { "ppc" } else { "dda" };
-            return Err(format!("{option} belongs to --method {owner}"));
+        let is_foreign = |(is_given, _, owner): &&(bool, _, _)| *is_given && *owner != name;
+        if let Some((_, option, owner)) = owned.iter().find(is_foreign) {
+            return Err(format!("{option} belongs to --method {}", owner.name()));
         }
         Ok(match name {
             MethodName::Ppc => Self::Ppc {
@@ -101,16 +120,28 @@ impl Method {
                 normalize: options.normalize,
                 update: options.update.unwrap_or(UpdateName::Staggered),
             },
-            MethodName::Brm => Self::Brm,
+            MethodName::Brm => Self::Brm { smoothing: options.smooth.unwrap_or(0) },
+            MethodName::MinDeviation => Self::MinDeviation,
+            MethodName::Vector => Self::Vector,
+            MethodName::CompareIntegral => Self::CompareIntegral,
         })
     }
 
     /// The name in reports.
     pub(crate) const fn name(&self) -> &'static str {
-        match self {
-            Self::Ppc { .. } => "ppc",
-            Self::Dda { .. } => "dda",
-            Self::Brm => "brm",
-        }
+        let name = match self {
+            Self::Ppc { .. } => MethodName::Ppc,
+            Self::Dda { .. } => MethodName::Dda,
+            Self::Brm { .. } => MethodName::Brm,
+            Self::MinDeviation => MethodName::MinDeviation,
+            Self::Vector => MethodName::Vector,
+            Self::CompareIntegral => MethodName::CompareIntegral,
+        };
+        name.name()
+    }
+
+    /// Whether the hardware model has circuits of the method.
+    pub(crate) const fn has_circuit(&self) -> bool {
+        matches!(self, Self::Ppc { .. } | Self::Dda { .. } | Self::Brm { smoothing: 0 })
     }
 }

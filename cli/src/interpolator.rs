@@ -171,10 +171,14 @@ pub(crate) fn with_host<V: Visitor>(
                     Command::dda_centred_arc(from, to, direction, normalize, period)
                 }
                 Method::Dda { .. } => return Err(machine::HALF_LOAD_ONLY.usage()),
-                Method::Brm => return Err(machine::LINES_ONLY.usage()),
+                Method::Brm { .. } => return Err(machine::LINES_ONLY.usage()),
+                Method::MinDeviation | Method::Vector | Method::CompareIntegral => {
+                    return Err(machine::SOFTWARE_ONLY.usage());
+                }
             };
             show(Host::new(command, timing, bits)?, from.map(i64::from), visitor)
         }
+        Curve::Parabola { .. } | Curve::Helix { .. } => Err(machine::SOFTWARE_ONLY.usage()),
     }
 }
 
@@ -191,7 +195,10 @@ fn line<V: Visitor, const AXES: usize>(
         Method::Dda { preset, normalize, .. } => {
             Command::dda_line(to, preset.unwrap_or_default(), normalize, period)
         }
-        Method::Brm => Command::brm_line(to, period),
+        Method::Brm { smoothing: 0 } => Command::brm_line(to, period),
+        Method::Brm { .. } | Method::MinDeviation | Method::Vector | Method::CompareIntegral => {
+            return Err(machine::SOFTWARE_ONLY.usage());
+        }
     };
     show(Host::new(command, timing, bits)?, [0; AXES], visitor)
 }

@@ -4,8 +4,10 @@ use crate::choice::{Method, UpdateName};
 use crate::curve::Curve;
 use crate::failure::Failure;
 use onepulse_core::dda::{Preset, Radix, Register};
-use onepulse_core::{Direction, Error, Pulse};
-use onepulse_core::{brm, dda, ppc};
+use onepulse_core::parabola::{self, Shape};
+use onepulse_core::{Direction, EndRule, Error, Helix, Plane, Pulse, Sweep};
+use onepulse_core::{brm, comparison, dda, minimum_deviation, ppc, vector};
+use onepulse_hwmodel::trace::Probe;
 use onepulse_hwmodel::{self as hw, Circuit};
 use std::fmt;
 
@@ -24,9 +26,34 @@ pub(crate) const HALF_LOAD_ONLY: Refusal = Refusal::Method(
      centre; leave --preset out, or take --update simultaneous",
 );
 
+/// A line of more axes by a method of the plane.
+const TWO_AXES_ONLY: Refusal = Refusal::Method(
+    "this method serves lines of 2 axes only: use --method ppc, dda, brm or min-deviation",
+);
+
+/// More stages than there are.
+const TOO_SMOOTH: Refusal = Refusal::Method(
+    "--smooth: the multiplier and the dividers behind it have 32 stages at most together",
+);
+
 /// An arc by the rate multiplier.
 pub(crate) const LINES_ONLY: Refusal =
-    Refusal::Method("the rate multiplier serves lines only: use --method ppc or dda");
+    Refusal::Method("the rate multiplier serves lines only: use another --method");
+
+/// What only the software does.
+pub(crate) const SOFTWARE_ONLY: Refusal = Refusal::Method(
+    "the hardware model has no circuit for this: it has them for --method ppc (lines of 2 axes, \
+     arcs), dda (lines, arcs) and brm (lines, without --smooth); pulses needs none",
+);
+
+/// A parabola by a method that has none.
+const NO_PARABOLA: Refusal =
+    Refusal::Method("parabolas are served by --method ppc, dda and min-deviation only");
+
+/// Where every counter counts to the end, and no other rule is known.
+const NO_LARGER: Refusal = Refusal::Method(
+    "--end-rule larger is for lines of 2 axes and arcs: this curve always ends exactly",
+);
 
 impl Refusal {
     /// As an error of a command line that gave the curve.
@@ -36,7 +63,8 @@ impl Refusal {
                 "--bits: "
             }
             Self::Machine(Error::StartInCentre | Error::CircleTooLarge { .. }) => "--from: ",
-            Self::Machine(Error::EndInCentre) => "--to: ",
+            Self::Machine(Error::EndInCentre | Error::EndBehindVertex { .. }) => "--to: ",
+            Self::Machine(Error::NoParameter) => "--p: ",
             _ => "",
         };
         Failure::Usage(format!("{option}{self}"))
@@ -66,12 +94,41 @@ pub(crate) trait Visitor {
     fn visit<S, C, const AXES: usize>(
         self,
         software: S,
-        circuit: impl FnOnce() -> Result<C, Error>,
+        circuit: impl FnOnce() -> Result<C, Refusal>,
         start: [i64; AXES],
     ) -> Self::Output
     where
         S: Iterator<Item = Pulse<AXES>>,
         C: Circuit<AXES>;
+}
+
+/// The circuit of a method that has none: there is no value of it.
+enum NoCircuit {}
+
+/// The maker of the circuit that there is not.
+fn no_circuit() -> Result<NoCircuit, Refusal> {
+    Err(SOFTWARE_ONLY)
+}
+
+impl<const AXES: usize> Circuit<AXES> for NoCircuit {
+    const CLOCKS_PER_CYCLE: u64 = 1;
+    const NAME: &'static str = "none";
+
+    fn pulses(&self) -> Pulse<AXES> {
+        match *self {}
+    }
+
+    fn done(&self) -> bool {
+        match *self {}
+    }
+
+    fn clock(&mut self) -> Pulse<AXES> {
+        match *self {}
+    }
+
+    fn probe(&self, _: &mut impl Probe) {
+        match *self {}
+    }
 }
 
 /// Builds the machines of a curve, in registers of `bits` bits or the smallest that serve, and
@@ -83,25 +140,54 @@ pub(crate) fn with_machines<V: Visitor>(
     visitor: V,
 ) -> Result<V::Output, Refusal> {
     match curve {
-        Curve::Line { to } => match (method, to.as_slice()) {
-            (Method::Ppc { end_rule }, &[x, y]) => {
-                let bits = width(bits, 32, holding(Radix::Binary, to))?;
-                let software = ppc::Line::new([x, y], *end_rule)?;
-                let circuit = || hw::ppc::Line::new([x, y], bits, *end_rule);
-                Ok(visitor.visit(software, circuit, [0, 0]))
-            }
-            (Method::Ppc { .. }, _) => Err(Refusal::Method(
-                "point-by-point comparison serves lines of 2 axes so far: use --method dda or brm",
-            )),
-            (_, &[x, y]) => line([x, y], method, bits, visitor),
-            (_, &[x, y, z]) => line([x, y, z], method, bits, visitor),
-            (_, &[x, y, z, a]) => line([x, y, z, a], method, bits, visitor),
+        Curve::Line { to } => match *to.as_slice() {
+            [x, y] => plane_line([x, y], method, bits, visitor),
+            [x, y, z] => line([x, y, z], method, bits, visitor),
+            [x, y, z, a] => line([x, y, z, a], method, bits, visitor),
             _ => Err(Refusal::Method("a line has 2 to 4 axes")),
         },
         &Curve::Arc { from, to, direction } => arc(from, to, direction, method, bits, visitor),
+        &Curve::Parabola { axis, parameter, to } => {
+            let needed = holding(Radix::Binary, &[to[0], to[1], parameter]);
+            parabola(Shape::new(axis, parameter, to)?, needed, method, bits, visitor)
+        }
+        &Curve::Helix { plane, from, to, direction, rise } => {
+            helix(plane, [from, to], direction, rise, method, bits, visitor)
+        }
     }
 }
 
+/// A line of two axes: some methods have no other.
+fn plane_line<V: Visitor>(
+    to: [i32; 2],
+    method: &Method,
+    bits: Option<u32>,
+    visitor: V,
+) -> Result<V::Output, Refusal> {
+    let needed = holding(Radix::Binary, &to);
+    let start = [0; 2];
+    match *method {
+        Method::Ppc { end_rule } => {
+            let bits = width(bits, 32, needed)?;
+            let software = ppc::Line::new(to, end_rule)?;
+            let circuit = || Ok(hw::ppc::Line::new(to, bits, end_rule)?);
+            Ok(visitor.visit(software, circuit, start))
+        }
+        Method::Vector => {
+            width(bits, 32, needed)?;
+            Ok(visitor.visit(vector::Line::new(to)?, no_circuit, start))
+        }
+        Method::CompareIntegral => {
+            width(bits, 32, needed)?;
+            Ok(visitor.visit(comparison::Line::new(to)?, no_circuit, start))
+        }
+        Method::Dda { .. } | Method::Brm { .. } | Method::MinDeviation => {
+            line(to, method, bits, visitor)
+        }
+    }
+}
+
+/// A line of any number of axes.
 fn line<V: Visitor, const AXES: usize>(
     to: [i32; AXES],
     method: &Method,
@@ -115,17 +201,31 @@ fn line<V: Visitor, const AXES: usize>(
             let register = Register::new(radix, digits)?;
             let preset = preset.unwrap_or_default();
             let software = dda::Line::new(to, register, preset, normalize)?;
-            let circuit = || hw::dda::Line::new(to, digits, preset, normalize);
+            let circuit = || Ok(hw::dda::Line::new(to, digits, preset, normalize)?);
             Ok(visitor.visit(software, circuit, start))
         }
-        Method::Brm => {
+        Method::Brm { smoothing } => {
             let bits = bits.unwrap_or_else(|| holding(Radix::Binary, &to));
             let software = brm::Line::new(to, bits)?;
-            Ok(visitor.visit(software, || hw::brm::Line::new(to, bits), start))
+            if smoothing == 0 {
+                return Ok(visitor.visit(software, || Ok(hw::brm::Line::new(to, bits)?), start));
+            }
+            // The width itself is right: it is the sum of the two that is too much.
+            let software = brm::Smoothed::new(to, bits, smoothing).map_err(|_| TOO_SMOOTH)?;
+            Ok(visitor.visit(software, no_circuit, start))
         }
-        Method::Ppc { .. } => {
-            Err(Refusal::Method("point-by-point comparison serves lines of 2 axes"))
+        Method::Ppc { end_rule } => {
+            if end_rule == EndRule::Larger {
+                return Err(NO_LARGER);
+            }
+            width(bits, 32, holding(Radix::Binary, &to))?;
+            Ok(visitor.visit(ppc::SpaceLine::new(to)?, no_circuit, start))
         }
+        Method::MinDeviation => {
+            width(bits, 32, holding(Radix::Binary, &to))?;
+            Ok(visitor.visit(minimum_deviation::Line::new(to)?, no_circuit, start))
+        }
+        Method::Vector | Method::CompareIntegral => Err(TWO_AXES_ONLY),
     }
 }
 
@@ -143,7 +243,7 @@ fn arc<V: Visitor>(
             let needed = hw::ppc::Arc::bits(from, to, direction)?;
             let bits = width(bits, 32, needed)?;
             let software = ppc::Arc::new(from, to, direction, end_rule)?;
-            let circuit = || hw::ppc::Arc::new(from, to, direction, bits, end_rule);
+            let circuit = || Ok(hw::ppc::Arc::new(from, to, direction, bits, end_rule)?);
             Ok(visitor.visit(software, circuit, start))
         }
         Method::Dda { radix, preset, normalize, update: UpdateName::Simultaneous } => {
@@ -152,7 +252,7 @@ fn arc<V: Visitor>(
             let register = Register::new(radix, bits)?;
             let preset = preset.unwrap_or_default();
             let software = dda::Arc::new(from, to, direction, register, preset, normalize);
-            let circuit = || hw::dda::Arc::new(from, to, direction, bits, preset, normalize);
+            let circuit = || Ok(hw::dda::Arc::new(from, to, direction, bits, preset, normalize)?);
             Ok(visitor.visit(software?, circuit, start))
         }
         Method::Dda { radix, preset, normalize, update: UpdateName::Staggered } => {
@@ -163,11 +263,84 @@ fn arc<V: Visitor>(
             let bits = bits.unwrap_or(needed);
             let register = Register::new(radix, bits)?;
             let software = dda::CentredArc::new(from, to, direction, register, normalize);
-            let circuit = || hw::dda::CentredArc::new(from, to, direction, bits, normalize);
+            let circuit = || Ok(hw::dda::CentredArc::new(from, to, direction, bits, normalize)?);
             Ok(visitor.visit(software?, circuit, start))
         }
-        Method::Brm => Err(LINES_ONLY),
+        Method::MinDeviation => {
+            width(bits, 32, holding_arc(from, to, direction)?)?;
+            let software = minimum_deviation::Arc::new(from, to, direction)?;
+            Ok(visitor.visit(software, no_circuit, start))
+        }
+        Method::Vector => {
+            width(bits, 32, holding_arc(from, to, direction)?)?;
+            Ok(visitor.visit(vector::Arc::new(from, to, direction)?, no_circuit, start))
+        }
+        Method::CompareIntegral => {
+            width(bits, 32, holding_arc(from, to, direction)?)?;
+            Ok(visitor.visit(comparison::Arc::new(from, to, direction)?, no_circuit, start))
+        }
+        Method::Brm { .. } => Err(LINES_ONLY),
     }
+}
+
+fn parabola<V: Visitor>(
+    shape: Shape,
+    needed: u32,
+    method: &Method,
+    bits: Option<u32>,
+    visitor: V,
+) -> Result<V::Output, Refusal> {
+    let start = [0; 2];
+    match *method {
+        Method::Ppc { end_rule: EndRule::Larger } => Err(NO_LARGER),
+        Method::Ppc { .. } => {
+            width(bits, 32, needed)?;
+            Ok(visitor.visit(parabola::Ppc::new(shape)?, no_circuit, start))
+        }
+        Method::MinDeviation => {
+            width(bits, 32, needed)?;
+            Ok(visitor.visit(parabola::MinimumDeviation::new(shape)?, no_circuit, start))
+        }
+        Method::Dda { normalize: true, .. } => {
+            Err(Refusal::Method("--normalize is for lines and arcs: leave it out"))
+        }
+        Method::Dda { radix, preset, .. } => {
+            let bits = bits.unwrap_or_else(|| parabola::Dda::bits(&shape));
+            let register = Register::new(radix, bits)?;
+            let software = parabola::Dda::new(shape, register, preset.unwrap_or_default())?;
+            Ok(visitor.visit(software, no_circuit, start))
+        }
+        Method::Brm { .. } | Method::Vector | Method::CompareIntegral => Err(NO_PARABOLA),
+    }
+}
+
+fn helix<V: Visitor>(
+    plane: Plane,
+    [from, to]: [[i32; 2]; 2],
+    direction: Direction,
+    rise: i32,
+    method: &Method,
+    bits: Option<u32>,
+    visitor: V,
+) -> Result<V::Output, Refusal> {
+    match method {
+        Method::Ppc { end_rule: EndRule::Larger } => Err(NO_LARGER),
+        Method::Ppc { .. } => {
+            let needed = holding_arc(from, to, direction)?.max(holding(Radix::Binary, &[rise]));
+            width(bits, 32, needed)?;
+            let software = Helix::new(plane, from, to, direction, rise)?;
+            let start = plane.place([from[0], from[1], 0]).map(i64::from);
+            Ok(visitor.visit(software, no_circuit, start))
+        }
+        _ => Err(Refusal::Method("helices are served by --method ppc only")),
+    }
+}
+
+/// The narrowest register that holds the coordinates of an arc and of its end, in bits.
+fn holding_arc(from: [i32; 2], to: [i32; 2], direction: Direction) -> Result<u32, Error> {
+    let largest = Sweep::new(from, to, direction)?.largest_coordinate();
+    // A circle of this crate stays within 32 bits.
+    Ok(Register::holding(Radix::Binary, largest as u32).digits())
 }
 
 /// The narrowest register that holds the coordinates, in digits.

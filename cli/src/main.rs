@@ -2,6 +2,7 @@
 
 mod args;
 mod choice;
+mod compare;
 mod curve;
 mod failure;
 mod feed_rate;
@@ -21,6 +22,7 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Pulses(curve) => pulses::pulses(&curve),
         Command::Table(arguments) => table::table(&arguments),
+        Command::Compare(arguments) => compare::compare(&arguments),
         Command::Wave(arguments) => wave::wave(&arguments),
         Command::FeedRate(arguments) => feed_rate::feed_rate(&arguments),
         Command::Run(arguments) => run::run(&arguments),

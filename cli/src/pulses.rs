@@ -4,7 +4,7 @@ use crate::args::CurveArguments;
 use crate::choice::Method;
 use crate::failure::Failure;
 use crate::machine::{Refusal, Visitor, with_machines};
-use onepulse_core::{Error, Pulse};
+use onepulse_core::Pulse;
 use onepulse_hwmodel::Circuit;
 use std::io::{self, BufWriter, Write};
 
@@ -30,7 +30,7 @@ impl Visitor for ToStdout {
     fn visit<S, C, const N: usize>(
         self,
         software: S,
-        _: impl FnOnce() -> Result<C, Error>,
+        _: impl FnOnce() -> Result<C, Refusal>,
         start: [i64; N],
     ) -> io::Result<()>
     where

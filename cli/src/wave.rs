@@ -6,8 +6,8 @@ use crate::failure::Failure;
 use crate::interpolator::{self, Host, with_host};
 use crate::machine::{Refusal, Visitor, with_machines};
 use crate::output::{OutputFile, write_whole};
+use onepulse_core::Pulse;
 use onepulse_core::dda::Radix;
-use onepulse_core::{Error, Pulse};
 use onepulse_hwmodel::trace::{Bench, Clock, Fst, SignalList, Tracer, Vcd, Wave, gtkw, sucl};
 use onepulse_hwmodel::{Circuit, Timing};
 use std::io;
@@ -66,14 +66,14 @@ impl Visitor for Recording<'_> {
     fn visit<S, C, const N: usize>(
         self,
         _: S,
-        circuit: impl FnOnce() -> Result<C, Error>,
+        circuit: impl FnOnce() -> Result<C, Refusal>,
         start: [i64; N],
     ) -> Result<(), Failure>
     where
         S: Iterator<Item = Pulse<N>>,
         C: Circuit<N>,
     {
-        let circuit = circuit().map_err(|why| Failure::Usage(why.to_string()))?;
+        let circuit = circuit().map_err(Refusal::usage)?;
         let shown = Shown { parts: &["", C::NAME], zoom: 1.0 };
         self.write(circuit, start, C::CLOCKS_PER_CYCLE, &shown)
     }

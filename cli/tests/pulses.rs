@@ -77,6 +77,16 @@ const CIRCLE: [[i64; 2]; 12] = [
     [0, -5],
 ];
 
+/// Everything that serves arcs.
+const ARC_METHODS: [&str; 6] = [
+    "",
+    "--method dda",
+    "--method dda --update simultaneous",
+    "--method min-deviation",
+    "--method vector",
+    "--method compare-integral",
+];
+
 fn arc([x0, y0]: [i64; 2], [x1, y1]: [i64; 2], is_ccw: bool) -> String {
     format!("arc --from {x0},{y0} --to {x1},{y1} --{}", if is_ccw { "ccw" } else { "cw" })
 }
@@ -167,6 +177,177 @@ fn the_textbook_line_by_the_rate_multiplier() {
     );
 }
 
+/// The methods that move both axes at once, or judge otherwise: worked by hand.
+#[test]
+fn a_line_by_minimum_deviation_by_vectors_and_by_intervals() {
+    // y = 0.6 x, rounded to the nearest.
+    let nearest = "cycle,dx,dy,x,y\n1,1,1,1,1\n2,1,0,2,1\n3,1,1,3,2\n4,1,0,4,2\n5,1,1,5,3\n";
+    assert_eq!(csv("line --to 5,3 --method min-deviation"), nearest);
+    // V: 0, 2, -1, 1, -2, 0.
+    assert_eq!(csv("line --to 5,3 --method vector"), nearest);
+    // D: -2, 4, -6, 0, -4, 2, -8.
+    assert_eq!(
+        csv("line --to 5,3 --method compare-integral"),
+        "cycle,dx,dy,x,y\n1,1,0,1,0\n2,0,1,1,1\n3,1,0,2,1\n4,1,1,3,2\n5,1,0,4,2\n6,0,1,4,3\n\
+         7,1,0,5,3\n"
+    );
+    // Where they differ: y = x/3.
+    let y = |method: &str| {
+        let rows = rows(&format!("line --to 3,-1 --method {method}"));
+        rows.iter().map(|row| row[4]).collect::<Vec<_>>()
+    };
+    assert_eq!(y("min-deviation"), [0, -1, -1]);
+    assert_eq!(y("vector"), [-1, -1, -1]);
+    assert_eq!(y("compare-integral"), [0, -1, -1]);
+}
+
+#[test]
+fn the_textbook_arc_by_minimum_deviation_by_vectors_and_by_intervals() {
+    let path = |method: &str| {
+        let arguments = format!("arc --from 5,0 --to 0,5 --ccw --method {method}");
+        let rows = checked_rows(&arguments, [5, 0]);
+        rows.iter().map(|row| [row[3], row[4]]).collect::<Vec<_>>()
+    };
+    assert_eq!(path("min-deviation"), [[5, 1], [5, 2], [4, 3], [3, 4], [2, 5], [1, 5], [0, 5]]);
+    assert_eq!(path("vector"), [[4, 1], [4, 2], [4, 3], [3, 4], [2, 4], [1, 5], [0, 5]]);
+    let by_intervals = [[5, 1], [5, 2], [4, 2], [4, 3], [3, 4], [2, 4], [2, 5], [1, 5], [0, 5]];
+    assert_eq!(path("compare-integral"), by_intervals);
+}
+
+#[test]
+fn a_line_of_three_axes_by_minimum_deviation() {
+    // y = x/2 and z = 3/4 x; what is half a pulse behind waits.
+    assert_eq!(
+        csv("line --to 4,2,-3 --method min-deviation"),
+        "cycle,dx,dy,dz,x,y,z\n1,1,0,-1,1,0,-1\n2,1,1,0,2,1,-1\n3,1,0,-1,3,1,-2\n4,1,1,-1,4,2,-3\n"
+    );
+}
+
+/// y² = 4x, worked by hand.
+#[test]
+fn a_parabola_by_point_by_point_comparison() {
+    // F: 0, -4, -3, 0, -4, 1, -3, 4, 0; at 4 y stands.
+    assert_eq!(
+        csv("parabola --p 2 --to 4,4"),
+        "cycle,dx,dy,x,y\n1,1,0,1,0\n2,0,1,1,1\n3,0,1,1,2\n4,1,0,2,2\n5,0,1,2,3\n6,1,0,3,3\n\
+         7,0,1,3,4\n8,1,0,4,4\n"
+    );
+    assert_eq!(
+        csv("parabola --p -1 --to 2,-2 --axis y"),
+        "cycle,dx,dy,x,y\n1,0,-1,0,-1\n2,1,0,1,-1\n3,1,0,2,-1\n4,0,-1,2,-2\n"
+    );
+}
+
+#[test]
+fn a_parabola_by_digital_integration() {
+    // Of three bits: JVx = y, JVy = 2, both added in every cycle, modulo 8.
+    assert_eq!(
+        csv("parabola --p 2 --to 4,4 --method dda"),
+        "cycle,dx,dy,x,y\n4,0,1,0,1\n8,0,1,0,2\n10,1,0,1,2\n12,0,1,1,3\n14,1,0,2,3\n16,1,1,3,4\n\
+         18,1,0,4,4\n"
+    );
+}
+
+#[test]
+fn a_parabola_by_minimum_deviation() {
+    let rows = checked_rows("parabola --p 1 --to 8,4 --method min-deviation", [0, 0]);
+    let path: Vec<_> = rows.iter().map(|row| [row[3], row[4]]).collect();
+    let nearest = [[0, 1], [1, 1], [2, 2], [3, 2], [4, 3], [5, 3], [6, 3], [7, 4], [8, 4]];
+    assert_eq!(path, nearest);
+}
+
+#[test]
+fn parabolas_end_on_their_end_point_in_every_direction() {
+    for method in ["ppc", "dda", "dda --preset half --bits 9", "min-deviation"] {
+        for [p, x, y] in [[3, 6, 6], [-3, -6, 6], [3, 7, -5], [-3, 0, -4], [3, 9, 0], [1, 0, 0]] {
+            for (axis, target) in [("x", [x, y]), ("y", [y, x])] {
+                let [to_x, to_y] = target;
+                let arguments =
+                    format!("parabola --p {p} --to {to_x},{to_y} --axis {axis} --method {method}");
+                assert_eq!(end(&arguments, [0, 0]), target, "{arguments}");
+            }
+        }
+    }
+}
+
+/// The arc is the textbook's; z has its three pulses of ten cycles when 5 + 3c passes a ten.
+#[test]
+fn a_helix_in_every_plane() {
+    let helix = "helix --from 5,0 --to 0,5 --ccw --rise 3";
+    assert_eq!(
+        csv(helix),
+        "cycle,dx,dy,dz,x,y,z\n1,-1,0,0,4,0,0\n2,0,1,1,4,1,1\n3,0,1,0,4,2,1\n4,0,1,0,4,3,1\n\
+         5,-1,0,1,3,3,2\n6,0,1,0,3,4,2\n7,-1,0,0,2,4,2\n8,0,1,0,2,5,2\n9,-1,0,1,1,5,3\n\
+         10,-1,0,0,0,5,3\n"
+    );
+    assert_eq!(csv(helix), csv(&format!("{helix} --plane xy --method ppc")));
+    // In zx the arc turns z to x and y rises; in yz it turns y to z and x rises.
+    let zx = csv(&format!("{helix} --plane zx"));
+    assert!(zx.starts_with("cycle,dx,dy,dz,x,y,z\n1,0,0,-1,0,0,4\n2,1,1,0,1,1,4\n"), "{zx}");
+    assert!(zx.ends_with("\n10,0,0,-1,5,3,0\n"), "{zx}");
+    let yz = csv("helix --from 5,0 --to 0,5 --ccw --rise -3 --plane yz");
+    assert!(yz.starts_with("cycle,dx,dy,dz,x,y,z\n1,0,-1,0,0,4,0\n2,-1,0,1,-1,4,1\n"), "{yz}");
+    assert!(yz.ends_with("\n10,0,-1,0,-3,0,5\n"), "{yz}");
+}
+
+#[test]
+fn lines_in_space_by_point_by_point_comparison() {
+    // F of x and of z: 0 0, -1 -2, -1 1, 2 1, 1 -1, 1 2, 0 0.
+    assert_eq!(
+        csv("line --to 1,-3,2"),
+        "cycle,dx,dy,dz,x,y,z\n1,0,-1,0,0,-1,0\n2,0,0,1,0,-1,1\n3,1,0,0,1,-1,1\n\
+         4,0,-1,0,1,-2,1\n5,0,0,1,1,-2,2\n6,0,-1,0,1,-3,2\n"
+    );
+    assert_eq!(csv("line --to 1,-3,2 --end-rule per-axis"), csv("line --to 1,-3,2"));
+    let text = csv("line --to -7,100,3,-50");
+    assert!(text.ends_with("\n160,0,1,0,0,-7,100,3,-50\n"), "{text}");
+}
+
+/// The trains are those of 20 and 12 in five stages; of each every second pulse passes, from the
+/// first.
+#[test]
+fn a_smoothed_rate_multiplier_passes_every_second_pulse() {
+    let rows = rows("line --to 10,6 --method brm --bits 4 --smooth 1");
+    let clocks = |axis: usize| -> Vec<_> {
+        rows.iter().filter(|row| row[axis] == 1).map(|row| row[0]).collect()
+    };
+    assert_eq!(clocks(1), [1, 4, 7, 11, 13, 17, 20, 23, 27, 29]);
+    assert_eq!(clocks(2), [2, 6, 12, 18, 22, 28]);
+    let plain = "line --to 10,6 --method brm --bits 4";
+    assert_eq!(csv(&format!("{plain} --smooth 0")), csv(plain));
+}
+
+#[test]
+fn what_parabolas_and_helices_do_not_have_is_refused() {
+    let parabola = "parabola --p 2 --to 4,4";
+    for method in ["brm", "vector", "compare-integral"] {
+        check_refused(&format!("{parabola} --method {method}"), &["ppc, dda and min-deviation"]);
+    }
+    check_refused(&format!("{parabola} --method dda --radix 10"), &["radix 2"]);
+    check_refused(&format!("{parabola} --method dda --normalize"), &["--normalize"]);
+    check_refused(&format!("{parabola} --method dda --bits 2"), &["--bits", "needs 3"]);
+    check_refused(&format!("{parabola} --bits 2"), &["--bits", "needs 3"]);
+    check_refused(&format!("{parabola} --end-rule larger"), &["--end-rule larger"]);
+    check_refused("parabola --p 0 --to 4,4", &["--p", "parameter 0"]);
+    check_refused("parabola --p 2 --to -4,4", &["--to", "behind the vertex"]);
+    check_refused("parabola --p x --to 4,4", &["--p", "'x' is not a whole number"]);
+    check_refused("parabola --p 2 --to 4,4 --axis z", &["--axis", "'z'"]);
+    let helix = "helix --from 5,0 --to 0,5 --cw --rise 3";
+    for method in ["dda", "brm", "min-deviation", "vector", "compare-integral"] {
+        check_refused(&format!("{helix} --method {method}"), &["--method ppc only"]);
+    }
+    check_refused(&format!("{helix} --end-rule larger"), &["--end-rule larger"]);
+    check_refused(&format!("{helix} --plane yx"), &["--plane", "'yx'"]);
+    check_refused(&format!("{helix} --bits 2"), &["--bits", "needs 3"]);
+    check_refused("helix --from 5,0 --to 0,5 --rise 3", &["--cw", "--ccw"]);
+    check_refused("helix --from 0,0 --to 0,5 --cw --rise 3", &["--from", "centre"]);
+    check_refused("line --to 5,3,2 --end-rule larger", &["--end-rule larger"]);
+    check_refused("line --to 5,3 --smooth 1", &["--smooth belongs to --method brm"]);
+    check_refused("line --to 5,3 --method brm --smooth 30", &["--smooth", "32 stages"]);
+    check_refused("line --to 5,3 --method brm --smooth 32", &["--smooth", "32"]);
+    check_refused("line --to 5,3 --method brm --smooth=-1", &["--smooth", "'-1'"]);
+}
+
 #[test]
 fn the_smallest_registers_that_serve_are_the_default() {
     for (curve, options) in [
@@ -189,7 +370,14 @@ fn options_may_stand_before_the_curve() {
 
 #[test]
 fn negative_ends_mirror_the_pulses() {
-    for options in ["", "--method dda", "--method brm"] {
+    for options in [
+        "",
+        "--method dda",
+        "--method brm",
+        "--method min-deviation",
+        "--method vector",
+        "--method compare-integral",
+    ] {
         let mirrored = rows(&format!("line --to 5,3 {options}"));
         for [sx, sy] in [[-1, 1], [1, -1], [-1, -1]] {
             let found = rows(&format!("line --to {},{} {options}", 5 * sx, 3 * sy));
@@ -222,7 +410,15 @@ fn lines_of_three_and_four_axes_have_their_columns() {
 
 #[test]
 fn a_line_without_length_has_no_rows() {
-    for options in ["", "--method dda", "--method brm", "--end-rule larger"] {
+    for options in [
+        "",
+        "--method dda",
+        "--method brm",
+        "--end-rule larger",
+        "--method min-deviation",
+        "--method vector",
+        "--method compare-integral",
+    ] {
         assert_eq!(csv(&format!("line --to 0,0 {options}")), "cycle,dx,dy,x,y\n");
     }
 }
@@ -239,6 +435,9 @@ fn lines_end_on_their_end_point_by_every_method() {
         "--method dda --radix 10 --bits 3 --preset full",
         "--method brm",
         "--method brm --bits 9",
+        "--method min-deviation",
+        "--method vector",
+        "--method compare-integral",
     ] {
         for [x, y] in [[7, 0], [0, 7], [-7, 0], [0, -7], [1, 100], [100, -1], [-33, 77], [-5, -5]] {
             assert_eq!(end(&format!("line --to {x},{y} {options}"), [0, 0]), [x, y], "{options}");
@@ -280,6 +479,21 @@ fn arcs_end_on_their_end_point_by_the_normalized_staggered_circuit() {
 }
 
 #[test]
+fn arcs_end_on_their_end_point_by_minimum_deviation() {
+    check_arcs("--method min-deviation");
+}
+
+#[test]
+fn arcs_end_on_their_end_point_by_vector_discrimination() {
+    check_arcs("--method vector");
+}
+
+#[test]
+fn arcs_end_on_their_end_point_by_comparison_integration() {
+    check_arcs("--method compare-integral");
+}
+
+#[test]
 fn arcs_end_on_their_end_point_by_the_textbook_circuit() {
     for start in CIRCLE {
         for target in CIRCLE {
@@ -294,7 +508,14 @@ fn arcs_end_on_their_end_point_by_the_textbook_circuit() {
 
 #[test]
 fn large_circles_close_and_stay_within_a_pulse() {
-    for options in ["", "--method dda", "--method dda --bits 16 --normalize"] {
+    for options in [
+        "",
+        "--method dda",
+        "--method dda --bits 16 --normalize",
+        "--method min-deviation",
+        "--method vector",
+        "--method compare-integral",
+    ] {
         for sense in ["--cw", "--ccw"] {
             let arguments = format!("arc --from 300,-400 --to 300,-400 {sense} {options}");
             let rows = checked_rows(&arguments, [300, -400]);
@@ -309,7 +530,7 @@ fn large_circles_close_and_stay_within_a_pulse() {
 
 #[test]
 fn an_end_point_off_the_circle_is_reached() {
-    for options in ["", "--method dda", "--method dda --update simultaneous"] {
+    for options in ARC_METHODS {
         for target in [[0, 6], [1, 5], [-3, 5], [-2, -4], [6, -1]] {
             for is_ccw in [true, false] {
                 let arguments = format!("{} {options}", arc([5, 0], target, is_ccw));
@@ -321,7 +542,7 @@ fn an_end_point_off_the_circle_is_reached() {
 
 #[test]
 fn the_circle_of_radius_one_ends() {
-    for options in ["", "--method dda", "--method dda --update simultaneous"] {
+    for options in ARC_METHODS {
         for sense in ["--cw", "--ccw"] {
             let arguments = format!("arc --from 1,0 --to 1,0 {sense} {options}");
             assert_eq!(end(&arguments, [1, 0]), [1, 0], "{arguments}");
@@ -359,6 +580,19 @@ fn the_longest_lines_stream_until_nobody_reads() {
     assert_eq!(lines, ["cycle,dx,dy,x,y", "2,0,-1,0,-1", "3,1,0,1,-1", "4,0,-1,1,-2"]);
     let lines = check_streaming(&format!("{line} --method brm"));
     assert_eq!(lines, ["cycle,dx,dy,x,y", "1,0,-1,0,-1", "2,1,0,1,-1", "3,0,-1,1,-2"]);
+    for method in ["min-deviation", "vector", "compare-integral"] {
+        assert_eq!(check_streaming(&format!("{line} --method {method}")).len(), 4, "{method}");
+    }
+    for curve in [
+        "parabola --p -2147483648 --to -2147483648,2147483647",
+        "parabola --p 1 --to 2147483647,2147483647 --method min-deviation",
+        "parabola --p 2147483647 --to 5,-2147483648 --method dda --preset half",
+        "helix --from 2147483647,0 --to 2147483647,0 --cw --rise -2147483648",
+        "line --to 2147483647,-2147483648,2147483647,1",
+        "line --to 1073741823,1 --method brm --smooth 2",
+    ] {
+        assert_eq!(check_streaming(curve).len(), 4, "{curve}");
+    }
     let lines = check_streaming("line --to -2147483648,0,2147483647,-1 --method dda");
     assert_eq!(lines[0], "cycle,dx,dy,dz,da,x,y,z,a");
 }
@@ -366,7 +600,7 @@ fn the_longest_lines_stream_until_nobody_reads() {
 #[test]
 fn the_largest_circles_stream_until_nobody_reads() {
     let circle = "arc --from 2147483647,0 --to 2147483647,0 --ccw";
-    for options in ["", "--method dda", "--method dda --update simultaneous"] {
+    for options in ARC_METHODS {
         let lines = check_streaming(&format!("{circle} {options}"));
         assert_eq!(lines.len(), 4, "{options}");
     }
@@ -386,6 +620,10 @@ fn options_of_another_method_are_refused_by_name() {
         ("line --to 5,3 --method brm --normalize", "--normalize"),
         ("line --to 5,3 --method brm --update simultaneous", "--update"),
         ("arc --from 5,0 --to 0,5 --ccw --preset half", "--preset"),
+        ("line --to 5,3 --method min-deviation --end-rule total", "--end-rule"),
+        ("line --to 5,3 --method vector --normalize", "--normalize"),
+        ("line --to 5,3 --method compare-integral --radix 2", "--radix"),
+        ("arc --from 5,0 --to 0,5 --ccw --method vector --update staggered", "--update"),
     ] {
         check_refused(arguments, &[option]);
     }
@@ -394,8 +632,8 @@ fn options_of_another_method_are_refused_by_name() {
 #[test]
 fn curves_that_a_method_does_not_serve_are_refused() {
     check_refused("arc --from 5,0 --to 0,5 --ccw --method brm", &["lines only", "--method"]);
-    check_refused("line --to 5,3,2", &["2 axes", "--method"]);
-    check_refused("line --to 5,3,2,1 --method ppc", &["2 axes", "--method"]);
+    check_refused("line --to 5,3,2 --method vector", &["2 axes", "min-deviation"]);
+    check_refused("line --to 5,3,2 --method compare-integral", &["2 axes", "min-deviation"]);
     let decimal = "arc --from 5,0 --to 0,5 --ccw --method dda --radix 10";
     check_refused(decimal, &["radix 2"]);
     check_refused(&format!("{decimal} --update simultaneous"), &["radix 2"]);
@@ -411,7 +649,9 @@ fn the_staggered_circuit_takes_half_load_only() {
 }
 
 /// Registers that are too narrow for their curve, and the width that it needs.
-const NARROW: [(&str, &str); 7] = [
+const NARROW: [(&str, &str); 9] = [
+    ("line --to 8,3 --method vector --bits 3", "needs 4"),
+    ("arc --from 8,0 --to 0,8 --ccw --method min-deviation --bits 3", "needs 4"),
     ("line --to 5,3 --bits 2", "needs 3"),
     ("line --to 8,3 --method dda --bits 3", "needs 4"),
     ("line --to 10,6 --method dda --radix 10 --bits 1", "needs 2"),
@@ -449,7 +689,7 @@ fn registers_that_do_not_serve_are_refused_by_the_name_of_the_option() {
 
 #[test]
 fn arcs_that_touch_their_centre_are_refused() {
-    for options in ["", "--method dda", "--method dda --update simultaneous"] {
+    for options in ARC_METHODS {
         let arc = |ends: &str| format!("arc {ends} --ccw {options}");
         check_refused(&arc("--from 0,0 --to 0,5"), &["starts in its centre"]);
         check_refused(&arc("--from 5,0 --to 0,0"), &["ends in its centre"]);

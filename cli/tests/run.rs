@@ -67,6 +67,22 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
+#[test]
+fn methods_without_a_circuit_are_refused_before_anything_is_written() {
+    let program = program("bracket.ngc");
+    let words = "has no circuit for this: it has them for --method ppc";
+    for method in ["min-deviation", "vector", "compare-integral"] {
+        let folder = folder(&[("m.toml", &format!("method = \"{method}\""))]);
+        let said = failure(folder.path(), &format!("{program} --method {method}"), 2);
+        assert!(said.contains(words), "{said}");
+        let said = failure(folder.path(), &format!("{program} --config m.toml"), 1);
+        assert!(said.contains(words) && said.contains("m.toml: method"), "{said}");
+        let said = failure(folder.path(), &format!("{program} --method brm --smooth 2"), 2);
+        assert!(said.contains(words), "{said}");
+        assert_eq!(names(folder.path()), ["m.toml"]);
+    }
+}
+
 fn pair(value: &Value) -> [i64; 2] {
     [value["x"].as_i64().unwrap(), value["y"].as_i64().unwrap()]
 }

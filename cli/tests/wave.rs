@@ -300,6 +300,35 @@ fn an_older_wave_is_replaced() {
 }
 
 #[test]
+fn methods_without_a_circuit_are_refused_and_told_which_have_one() {
+    for method in ["min-deviation", "vector", "compare-integral"] {
+        for curve in ["line --to 5,3", "arc --from 5,0 --to 0,5 --ccw"] {
+            for whole in ["", "--interpolator"] {
+                let arguments = format!("{curve} --method {method} {whole} -o w.vcd");
+                check_refused(
+                    &arguments,
+                    2,
+                    "has no circuit for this: it has them for --method ppc",
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn curves_without_a_circuit_are_refused() {
+    for curve in [
+        "line --to 5,3,2",
+        "line --to 5,3 --method brm --smooth 1",
+        "parabola --p 2 --to 4,4",
+        "parabola --p 2 --to 4,4 --method dda",
+        "helix --from 5,0 --to 0,5 --rise 3 --cw",
+    ] {
+        check_refused(&format!("{curve} -o w.vcd"), 2, "has no circuit for this");
+    }
+}
+
+#[test]
 fn other_endings_are_refused() {
     for file in ["a.txt", "a", "a.gtkw", "a.VCD", "vcd", ".vcd", "a.vcd.gz"] {
         check_refused(&format!("line --to 5,3 -o {file}"), 2, ".vcd or .fst");

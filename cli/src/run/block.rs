@@ -3,8 +3,8 @@
 use super::deviation::Deviation;
 use super::outputs::Outputs;
 use crate::failure::Failure;
-use crate::machine::Visitor;
-use onepulse_core::{Error, Pulse};
+use crate::machine::{Refusal, Visitor};
+use onepulse_core::Pulse;
 use onepulse_hwmodel::Circuit;
 use onepulse_plan::Motion;
 
@@ -38,7 +38,7 @@ impl Visitor for BlockRun<'_> {
     fn visit<S, C, const N: usize>(
         self,
         software: S,
-        circuit: impl FnOnce() -> Result<C, Error>,
+        circuit: impl FnOnce() -> Result<C, Refusal>,
         start: [i64; N],
     ) -> Self::Output
     where

@@ -94,6 +94,7 @@ impl Config {
             preset: given.preset.or(file.preset.filter(|_| is_dda)),
             normalize: given.normalize || is_dda && file.normalize.unwrap_or(true),
             update: given.update.or(file.update.filter(|_| is_dda)),
+            smooth: given.smooth,
         };
         let default = if method == MethodName::Brm { BRM_BITS } else { BITS };
         let bits = given.bits.or(file.bits).unwrap_or(default);

@@ -1,7 +1,5 @@
 //! How far a path strays from its curve.
 
-use crate::curve::Curve;
-
 /// The largest distance between a path's points and the curve, kept in exact integers.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Deviation {
@@ -12,15 +10,15 @@ pub(super) enum Deviation {
 }
 
 impl Deviation {
-    /// The deviation of a path that has not begun.
-    pub(super) fn of(curve: &Curve) -> Self {
-        match curve {
-            Curve::Line { to } => Self::Line { to: [to[0].into(), to[1].into()], largest: 0 },
-            &Curve::Arc { from, .. } => {
-                let radius_squared = square(from.map(i64::from));
-                Self::Circle { radius_squared, smallest: radius_squared, largest: radius_squared }
-            }
-        }
+    /// Of a path along the line from the origin, before it begins.
+    pub(super) fn from_line(to: [i32; 2]) -> Self {
+        Self::Line { to: to.map(i128::from), largest: 0 }
+    }
+
+    /// Of a path along the circle about the origin through a point, before it begins.
+    pub(super) fn from_circle(through: [i32; 2]) -> Self {
+        let radius_squared = square(through.map(i64::from));
+        Self::Circle { radius_squared, smallest: radius_squared, largest: radius_squared }
     }
 
     /// Takes a point of the path, relative to the curve's origin.
@@ -59,15 +57,13 @@ fn square([x, y]: [i64; 2]) -> i128 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use onepulse_core::Direction;
 
     #[test]
     fn distances_of_known_points() {
-        let mut line = Deviation::of(&Curve::Line { to: vec![3, 4] });
+        let mut line = Deviation::from_line([3, 4]);
         line.reach([1, 0]);
         assert!((line.in_pulses() - 0.8).abs() < 1e-12);
-        let curve = Curve::Arc { from: [5, 0], to: [0, 5], direction: Direction::Ccw };
-        let mut circle = Deviation::of(&curve);
+        let mut circle = Deviation::from_circle([5, 0]);
         circle.reach([4, 4]);
         circle.reach([4, 2]);
         assert!((circle.in_pulses() - 32_f64.sqrt() + 5.0).abs() < 1e-12);

@@ -12,7 +12,7 @@ use crate::args::RunArguments;
 use crate::choice::Method;
 use crate::curve::Curve;
 use crate::failure::Failure;
-use crate::machine::{Refusal, with_machines};
+use crate::machine::{Refusal, SOFTWARE_ONLY, with_machines};
 use block::BlockRun;
 use config::Config;
 use deviation::Deviation;
@@ -27,6 +27,15 @@ use std::io::BufReader;
 pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let config = Config::load(arguments)?;
     let method = Method::from_options(&config.options).map_err(Failure::Usage)?;
+    // What a run is for is to hold the software against the circuit.
+    if !method.has_circuit() {
+        return Err(match &arguments.config {
+            Some(path) if arguments.options.method.is_none() => {
+                Failure::Fault(format!("{}: method: {SOFTWARE_ONLY}", path.display()))
+            }
+            _ => SOFTWARE_ONLY.usage(),
+        });
+    }
     let name = arguments.program.display().to_string();
     let open = |error| Failure::file(&arguments.program, &error);
     let input = File::open(&arguments.program).map_err(open)?;
@@ -45,7 +54,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
                 Failure::Program { file: name.clone(), diagnostic }
             }
         })?;
-        let curve = curve(&motion);
+        let (curve, deviation) = curve(&motion);
         let speed = config.speed(&motion);
         let origin = match motion.curve {
             plan::Curve::Line => motion.from.map(i64::from),
@@ -55,7 +64,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             motion: &motion,
             origin,
             short,
-            deviation: Deviation::of(&curve),
+            deviation,
             cycles_per_second: speed.cycles_per_second(&curve, &method, config.bits),
             outputs: &mut outputs,
         };
@@ -79,16 +88,21 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     }
 }
 
-/// The curve as the interpolator sees it: a line from its start, an arc about its centre.
-fn curve(motion: &Motion) -> Curve {
+/// The curve as the interpolator sees it, a line from its start, an arc about its centre; and the
+/// deviation of its path.
+fn curve(motion: &Motion) -> (Curve, Deviation) {
     let Motion { from, to, .. } = *motion;
     match motion.curve {
         // Any two points of a program are an i32 apart, and an arc's are from its centre.
-        plan::Curve::Line => Curve::Line { to: vec![to[0] - from[0], to[1] - from[1]] },
+        plan::Curve::Line => {
+            let to = [to[0] - from[0], to[1] - from[1]];
+            (Curve::Line { to: to.to_vec() }, Deviation::from_line(to))
+        }
         plan::Curve::Arc { centre, direction } => {
             let seen =
                 |point: [i32; 2]| [0, 1].map(|axis| (i64::from(point[axis]) - centre[axis]) as i32);
-            Curve::Arc { from: seen(from), to: seen(to), direction }
+            let (from, to) = (seen(from), seen(to));
+            (Curve::Arc { from, to, direction }, Deviation::from_circle(from))
         }
     }
 }

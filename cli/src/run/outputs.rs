@@ -243,6 +243,8 @@ fn declare_circuits(
             };
             vec![line, arc]
         }
-        Method::Brm => vec![add(list, &hw::brm::Line::new(x, bits)?)],
+        Method::Brm { .. } => vec![add(list, &hw::brm::Line::new(x, bits)?)],
+        // A run by these is refused before.
+        Method::MinDeviation | Method::Vector | Method::CompareIntegral => Vec::new(),
     })
 }

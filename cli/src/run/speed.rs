@@ -36,15 +36,16 @@ impl Speed {
         let speed = self.pulses_per_second();
         let accumulations = |shift: u32| 2_f64.powi(bits.saturating_sub(shift) as i32);
         match (method, curve) {
-            (Method::Ppc { .. }, _) => speed,
-            (Method::Dda { .. } | Method::Brm, Curve::Line { to }) => {
+            (Method::Dda { .. } | Method::Brm { .. }, Curve::Line { to }) => {
                 let length = to.iter().map(|&c| f64::from(c).powi(2)).sum::<f64>().sqrt();
                 speed * accumulations(line_shift(to, method, bits)) / length
             }
-            (_, &Curve::Arc { from, .. }) => {
+            (Method::Dda { .. }, &Curve::Arc { from, .. }) => {
                 let radius = f64::from(from[0]).hypot(f64::from(from[1]));
                 speed * accumulations(arc_shift(curve, method, bits)) / radius
             }
+            // A pulse every cycle.
+            _ => speed,
         }
     }
 }

@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, Write};
 use unicode_width::UnicodeWidthStr;
 
 /// Writes a table. Aligned text goes through the rows twice, so that none is kept.
-pub(super) fn write(
+pub(crate) fn write(
     out: impl Write,
     table: &impl Table,
     format: Format,

@@ -2,7 +2,7 @@
 
 mod brm;
 mod dda;
-mod layout;
+pub(crate) mod layout;
 mod ppc;
 
 use crate::args::TableArguments;
@@ -68,7 +68,7 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<(), Failure> {
     with_machines(&curve, &method, options.bits, ending).map_err(Refusal::usage)?;
     let write = |why: Error| Refusal::from(why).usage();
     match (method, &curve) {
-        (Method::Ppc { end_rule }, Curve::Line { to }) => {
+        (Method::Ppc { end_rule }, Curve::Line { to }) if to.len() == 2 => {
             let machine = core::ppc::Line::new([to[0], to[1]], end_rule).map_err(write)?;
             print(&ppc::LineTable { machine, end: [to[0], to[1]] }, arguments)
         }
@@ -76,7 +76,7 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<(), Failure> {
             let machine = core::ppc::Arc::new(from, to, direction, end_rule).map_err(write)?;
             print(&ppc::ArcTable { machine }, arguments)
         }
-        (Method::Dda { .. } | Method::Brm, Curve::Line { to }) => match *to.as_slice() {
+        (Method::Dda { .. } | Method::Brm { smoothing: 0 }, Curve::Line { to }) => match *to.as_slice() {
             [x, y] => line([x, y], &method, arguments),
             [x, y, z] => line([x, y, z], &method, arguments),
             [x, y, z, a] => line([x, y, z, a], &method, arguments),
@@ -98,9 +98,11 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<(), Failure> {
                 print(&dda::CentredArcTable { machine: machine.map_err(write)? }, arguments)
             }
         }
-        (Method::Brm, Curve::Arc { .. }) => {
-            Err(Failure::Usage("the rate multiplier serves lines only".into()))
-        }
+        _ => Err(Failure::Usage(
+            "there is no table of this: there are of --method ppc (lines of 2 axes, arcs), dda (lines, \
+             arcs) and brm (lines, without --smooth)"
+                .into(),
+        )),
     }
 }
 
@@ -144,7 +146,7 @@ impl Visitor for Ending {
     fn visit<S, C, const N: usize>(
         self,
         software: S,
-        _: impl FnOnce() -> Result<C, Error>,
+        _: impl FnOnce() -> Result<C, Refusal>,
         start: [i64; N],
     ) where
         S: Iterator<Item = Pulse<N>>,
