@@ -5,6 +5,7 @@ use crate::compare;
 use crate::curve::{AxisName, Curve, PlaneName, PlanePoint, Point, coordinate};
 use crate::feed_rate::FeedRateArguments;
 use crate::interpolator::DriveTimes;
+use crate::pulses;
 use crate::table::{Format, Language};
 use clap::{Args, Parser, Subcommand};
 use onepulse_core::Direction;
@@ -21,8 +22,8 @@ pub(crate) struct Arguments {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// The pulses of one curve as CSV
-    Pulses(CurveArguments),
+    /// The pulses of one curve as CSV, or drawn
+    Pulses(PulsesArguments),
     /// The step table of one curve as a textbook prints it
     Table(TableArguments),
     /// All methods side by side on one curve
@@ -77,6 +78,15 @@ pub(crate) struct CompareArguments {
     /// Draw all paths over the true curve as SVG: plane curves of up to 64 pulses' length
     #[arg(long, value_name = "FILE.svg", global = true)]
     pub(crate) picture: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct PulsesArguments {
+    #[command(flatten)]
+    pub(crate) curve: CurveArguments,
+    /// How to show them
+    #[arg(long, value_enum, default_value_t, global = true)]
+    pub(crate) format: pulses::Format,
 }
 
 #[derive(Debug, Args)]

@@ -1,9 +1,12 @@
-//! `onepulse pulses`: the pulses of one curve as CSV.
+//! `onepulse pulses`: the pulses of one curve as CSV, or drawn.
 
-use crate::args::CurveArguments;
+use crate::args::PulsesArguments;
 use crate::choice::Method;
+use crate::compare::{Picture, Truth};
+use crate::curve::Curve;
 use crate::failure::Failure;
 use crate::machine::{Refusal, Visitor, with_machines};
+use clap::ValueEnum;
 use onepulse_core::Pulse;
 use onepulse_hwmodel::Circuit;
 use std::io::{self, BufWriter, Write};
@@ -11,13 +14,62 @@ use std::io::{self, BufWriter, Write};
 /// The letters of the axes.
 pub(crate) const AXES: [&str; 4] = ["x", "y", "z", "a"];
 
-pub(crate) fn pulses(arguments: &CurveArguments) -> Result<(), Failure> {
+/// How pulses are shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Comma-separated values, a row for each cycle with a pulse
+    #[default]
+    Csv,
+    /// The path over the true curve
+    Svg,
+}
+
+pub(crate) fn pulses(arguments: &PulsesArguments) -> Result<(), Failure> {
+    let PulsesArguments { curve: arguments, format } = arguments;
     let method = Method::from_options(&arguments.options).map_err(Failure::Usage)?;
     let curve = arguments.curve();
-    let end = curve.end();
-    with_machines(&curve, &method, arguments.options.bits, ToStdout { end })
-        .map_err(Refusal::usage)?
-        .map_err(|error| Failure::stdout(&error))
+    let bits = arguments.options.bits;
+    match format {
+        Format::Csv => {
+            let end = curve.end();
+            with_machines(&curve, &method, bits, ToStdout { end }).map_err(Refusal::usage)?
+        }
+        Format::Svg => io::stdout().lock().write_all(drawn(&curve, &method, bits)?.as_bytes()),
+    }
+    .map_err(|error| Failure::stdout(&error))
+}
+
+/// The picture of a short plane curve.
+fn drawn(curve: &Curve, method: &Method, bits: Option<u32>) -> Result<String, Failure> {
+    let mut picture = Picture::new("--format svg", curve, &Truth::new(curve))?;
+    let path = Path(picture.begin_path(method.name().to_owned()));
+    with_machines(curve, method, bits, path).map_err(Refusal::usage)?;
+    Ok(picture.svg())
+}
+
+/// Takes the points of a path in a plane, of which the start is there.
+struct Path<'a>(&'a mut Vec<[i64; 2]>);
+
+impl Visitor for Path<'_> {
+    type Output = ();
+
+    fn visit<S, C, const N: usize>(
+        self,
+        software: S,
+        _: impl FnOnce() -> Result<C, Refusal>,
+        start: [i64; N],
+    ) where
+        S: Iterator<Item = Pulse<N>>,
+        C: Circuit<N>,
+    {
+        let mut at = start;
+        for pulse in software.filter(|pulse| !pulse.is_none()) {
+            for axis in 0..N {
+                at[axis] += i64::from(pulse.0[axis]);
+            }
+            self.0.push([at[0], at[1]]);
+        }
+    }
 }
 
 struct ToStdout {

@@ -733,3 +733,14 @@ fn bad_numbers_and_names_are_refused_by_the_name_of_the_option() {
         check_refused(arguments, &words);
     }
 }
+
+#[test]
+fn a_short_plane_curve_is_drawn() {
+    let picture = csv("arc --from 5,0 --to 0,5 --ccw --method min-deviation --format svg");
+    assert!(picture.starts_with("<svg"));
+    // The seven steps of this arc, and where it starts.
+    assert!(picture.contains("points=\"5,0 5,1 5,2 4,3 3,4 2,5 1,5 0,5\""), "{picture}");
+    for arguments in ["line --to 1,2,3 --method dda --format svg", "line --to 99,1 --format svg"] {
+        assert_eq!(pulses(arguments).status.code(), Some(2), "{arguments}");
+    }
+}

@@ -10,12 +10,14 @@ use crate::args::CompareArguments;
 use crate::curve::Curve;
 use crate::failure::Failure;
 use crate::machine::{Refusal, with_machines};
+use crate::output::write_whole;
 use clap::ValueEnum;
 use measure::Measure;
 use onepulse_core::Error;
-use picture::Picture;
-use truth::Truth;
 use variants::Variant;
+
+pub(crate) use picture::Picture;
+pub(crate) use truth::Truth;
 
 /// How a comparison is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -36,11 +38,13 @@ pub(crate) fn compare(arguments: &CompareArguments) -> Result<(), Failure> {
         return Err(Failure::Usage(why.into()));
     }
     let truth = Truth::new(&curve);
-    let picture = arguments.picture.as_deref();
-    let mut picture = picture.map(|path| Picture::new(path, &curve, &truth)).transpose()?;
+    let mut picture = match arguments.picture {
+        Some(_) => Some(Picture::new("--picture", &curve, &truth)?),
+        None => None,
+    };
     let mut rows = Vec::new();
     for variant in variants::of(&curve) {
-        let path = picture.as_mut().map(|picture| picture.begin_path(&variant));
+        let path = picture.as_mut().map(|picture| picture.begin_path(variant.title()));
         let measure = Measure { truth: truth.clone(), end: curve.end(), variant: &variant, path };
         match with_machines(&curve, &variant.method, arguments.bits, measure) {
             Ok(measured) => rows.push((variant, measured)),
@@ -50,8 +54,8 @@ pub(crate) fn compare(arguments: &CompareArguments) -> Result<(), Failure> {
         }
     }
     // Before the table: what cannot be written is said before anything is.
-    if let Some(picture) = picture {
-        picture.write()?;
+    if let (Some(picture), Some(path)) = (picture, &arguments.picture) {
+        write_whole(path, &picture.svg())?.finish()?;
     }
     report::print(&curve, &truth, &rows, arguments.format)
 }

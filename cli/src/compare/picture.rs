@@ -1,16 +1,13 @@
 //! The paths of all methods over the true curve, as SVG.
 
 use super::truth::Truth;
-use super::variants::Variant;
 use crate::curve::Curve;
 use crate::failure::Failure;
-use crate::output::write_whole;
 use onepulse_core::{Axis, Direction};
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
 
 /// The longest curve that is drawn, in pulses: of longer ones no eye could tell the steps apart.
-pub(super) const LONGEST: f64 = 64.0;
+const LONGEST: f64 = 64.0;
 
 /// Nine that are told apart by eye, the darker and the lighter in turn.
 const COLOURS: [&str; 9] = [
@@ -26,25 +23,24 @@ const BESIDE: f64 = 0.035;
 
 /// A picture of a short plane curve.
 #[derive(Debug)]
-pub(super) struct Picture {
-    path: PathBuf,
+pub(crate) struct Picture {
     curve: Curve,
     start: [i64; 2],
     paths: Vec<(String, Vec<[i64; 2]>)>,
 }
 
 impl Picture {
-    /// An empty picture.
-    pub(super) fn new(path: &Path, curve: &Curve, truth: &Truth) -> Result<Self, Failure> {
+    /// An empty picture, for which this option asks.
+    pub(crate) fn new(option: &str, curve: &Curve, truth: &Truth) -> Result<Self, Failure> {
         if curve.end().len() != 2 {
-            return Err(Failure::Usage("--picture: only curves of 2 axes are drawn".into()));
+            return Err(Failure::Usage(format!("{option}: only curves of 2 axes are drawn")));
         }
         // An end point beside the curve is part of the way.
         let beside = truth.clone().reach([curve.end()[0], curve.end()[1]]).distance;
         let length = truth.length() + beside;
         if length > LONGEST {
             return Err(Failure::Usage(format!(
-                "--picture: this curve is {length:.0} pulses long, and the steps of up to {LONGEST} \
+                "{option}: this curve is {length:.0} pulses long, and the steps of up to {LONGEST} \
                  can be seen: leave it out, or take a shorter curve"
             )));
         }
@@ -52,24 +48,20 @@ impl Picture {
             Curve::Arc { from, .. } => from.map(i64::from),
             _ => [0; 2],
         };
-        Ok(Self { path: path.to_owned(), curve: curve.clone(), start, paths: Vec::new() })
+        Ok(Self { curve: curve.clone(), start, paths: Vec::new() })
     }
 
-    /// Begins the path of a variant.
-    pub(super) fn begin_path(&mut self, variant: &Variant) -> &mut Vec<[i64; 2]> {
+    /// Begins the path of a method.
+    pub(crate) fn begin_path(&mut self, title: String) -> &mut Vec<[i64; 2]> {
         let place = self.paths.len();
-        self.paths.push((variant.title(), vec![self.start]));
+        self.paths.push((title, vec![self.start]));
         &mut self.paths[place].1
     }
 
-    /// Writes the picture.
-    pub(super) fn write(mut self) -> Result<(), Failure> {
+    /// The finished picture.
+    pub(crate) fn svg(mut self) -> String {
         // What its method refused has not begun.
         self.paths.retain(|(_, points)| points.len() > 1);
-        write_whole(&self.path, &self.svg())?.finish()
-    }
-
-    fn svg(&self) -> String {
         let points = self.paths.iter().flat_map(|(_, points)| points).copied();
         let (mut low, mut high) = (self.start, self.start);
         for point in points {

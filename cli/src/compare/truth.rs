@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 /// A curve, and how far a path has come along it.
 #[derive(Clone, Debug)]
-pub(super) enum Truth {
+pub(crate) enum Truth {
     /// The straight line through the origin and `to`.
     Line { to: [i64; 4], length: f64 },
     /// The circle about the origin; `angle` is what the path has turned, positive along the arc.
@@ -26,7 +26,7 @@ pub(super) struct Reached {
 
 impl Truth {
     /// Of a path that has not begun. (A helix is compared with nothing: only its arc is seen.)
-    pub(super) fn new(curve: &Curve) -> Self {
+    pub(crate) fn new(curve: &Curve) -> Self {
         match *curve {
             Curve::Line { ref to } => {
                 let mut end = [0; 4];
