@@ -6,6 +6,7 @@ use crate::curve::{AxisName, Curve, PlaneName, PlanePoint, Point, coordinate};
 use crate::feed_rate::FeedRateArguments;
 use crate::interpolator::DriveTimes;
 use crate::pulses;
+use crate::sample::SamplingName;
 use crate::table::{Format, Language};
 use clap::{Args, Parser, Subcommand};
 use onepulse_core::Direction;
@@ -52,6 +53,8 @@ pub(crate) enum Command {
     Wave(WaveArguments),
     /// How fast the methods go, over the direction of a line or over its length
     FeedRate(FeedRateArguments),
+    /// The points of one curve by data sampling, in millimetres
+    Sample(SampleArguments),
     /// A G-code program: pulses, waves, a picture and a report
     Run(Box<RunArguments>),
 }
@@ -151,6 +154,31 @@ pub(crate) struct WaveArguments {
         allow_hyphen_values = true
     )]
     pub(crate) step_clocks: Option<DriveTimes>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SampleArguments {
+    #[command(subcommand)]
+    curve: CurveCommand,
+    /// The feed in millimetres a minute
+    #[arg(long, value_name = "MM_PER_MIN", global = true, default_value = "300")]
+    pub(crate) feed: String,
+    /// The sample period in milliseconds
+    #[arg(long, value_name = "MS", global = true, default_value = "8")]
+    pub(crate) period: String,
+    /// How the points of an arc are found
+    #[arg(long, value_enum, global = true, default_value_t)]
+    pub(crate) method: SamplingName,
+    /// The pulse equivalent in millimetres
+    #[arg(long, value_name = "MM", global = true, default_value = "0.001")]
+    pub(crate) pulse_mm: String,
+    /// The largest chord error of an arc, in millimetres: the feed is reduced to keep it
+    #[arg(long, value_name = "MM", global = true)]
+    pub(crate) tolerance: Option<String>,
+    /// Of an arc, for each sample: the chord error, exactly and as textbooks approximate it, and
+    /// what the point is off the radius
+    #[arg(long, global = true)]
+    pub(crate) errors: bool,
 }
 
 #[derive(Debug, Args)]
@@ -274,6 +302,13 @@ pub(crate) struct Options {
         value_parser = clap::value_parser!(u32).range(0..=31)
     )]
     pub(crate) smooth: Option<u32>,
+}
+
+impl SampleArguments {
+    /// The curve.
+    pub(crate) fn curve(&self) -> Curve {
+        self.curve.curve()
+    }
 }
 
 impl CurveArguments {

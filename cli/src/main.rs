@@ -11,6 +11,7 @@ mod machine;
 mod output;
 mod pulses;
 mod run;
+mod sample;
 mod table;
 mod wave;
 
@@ -25,6 +26,7 @@ fn main() -> ExitCode {
         Command::Compare(arguments) => compare::compare(&arguments),
         Command::Wave(arguments) => wave::wave(&arguments),
         Command::FeedRate(arguments) => feed_rate::feed_rate(&arguments),
+        Command::Sample(arguments) => sample::sample(&arguments),
         Command::Run(arguments) => run::run(&arguments),
     };
     match done {

@@ -1,6 +1,6 @@
 //! An arc, sample by sample.
 
-use super::SamplingError;
+use super::{SamplingError, largest_step};
 use onepulse_core::Direction;
 use std::f64::consts::TAU;
 
@@ -40,6 +40,8 @@ pub enum ArcMethod {
 pub struct Arc {
     method: ArcMethod,
     step: f64,
+    /// What no chord may exceed.
+    longest: f64,
     radius: f64,
     /// Of the start, kept so that no step adds an error to it.
     radius_squared: f64,
@@ -82,10 +84,44 @@ impl Arc {
         let ahead = angle(start, end) * turn;
         let left = if ahead > 0.0 { ahead } else { ahead + TAU };
         // Where the recursion comes from: a step before the start.
-        let (sin, cos) = (-turn * step_angle(step, radius)).sin_cos();
-        let before = [start[0] * cos - start[1] * sin, start[1] * cos + start[0] * sin];
+        let before = turned(start, -turn * step_angle(step, radius));
         let radius_squared = start[0] * start[0] + start[1] * start[1];
-        Ok(Self { method, step, radius, radius_squared, end, turn, at: start, before, left })
+        let longest = f64::INFINITY;
+        Ok(Self {
+            method,
+            step,
+            longest,
+            radius,
+            radius_squared,
+            end,
+            turn,
+            at: start,
+            before,
+            left,
+        })
+    }
+
+    /// The same arc with less feed, if need be, so that no chord error exceeds `tolerance`: shorter steps
+    /// all along, and where a method's approximation would make one longer than it was meant to be, that one
+    /// shorter too.
+    ///
+    /// # Errors
+    /// A tolerance that leaves no step.
+    pub fn within(mut self, tolerance: f64) -> Result<Self, SamplingError> {
+        self.longest = largest_step(self.radius, tolerance);
+        // Less by what rounding may add.
+        self.step = self.step.min(self.longest * (1.0 - 1e-9));
+        if self.step.is_nan() || self.step <= self.radius * 1e-12 {
+            return Err(SamplingError::NoStep);
+        }
+        self.before = turned(self.at, -self.turn * step_angle(self.step, self.radius));
+        Ok(self)
+    }
+
+    /// The way of a sample period along the arc, as it is meant to be.
+    #[must_use]
+    pub const fn step(&self) -> f64 {
+        self.step
     }
 
     /// The radius, that of the start.
@@ -94,9 +130,22 @@ impl Arc {
         self.radius
     }
 
-    /// The point after `at`.
+    /// The point after `at`, which keeps the tolerance.
     fn following(&self) -> [f64; 2] {
-        let Self { at: [x, y], turn, step, radius, .. } = *self;
+        let mut step = self.step;
+        loop {
+            let next = self.after(step);
+            let chord = (next[0] - self.at[0]).hypot(next[1] - self.at[1]);
+            if chord <= self.longest {
+                return next;
+            }
+            step *= self.longest / chord * (1.0 - 1e-9);
+        }
+    }
+
+    /// The point after `at` by a step of this length.
+    fn after(&self, step: f64) -> [f64; 2] {
+        let Self { at: [x, y], turn, radius, .. } = *self;
         match self.method {
             ArcMethod::SevenM => self.closed(|x, y| {
                 // sin 45° and cos 45°.
@@ -164,6 +213,12 @@ fn angle([x, y]: [f64; 2], [to_x, to_y]: [f64; 2]) -> f64 {
     (x * to_y - y * to_x).atan2(x * to_x + y * to_y)
 }
 
+/// A point turned about the origin.
+fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
+    let (sin, cos) = angle.sin_cos();
+    [x * cos - y * sin, y * cos + x * sin]
+}
+
 /// The angle of a chord.
 fn step_angle(step: f64, radius: f64) -> f64 {
     2.0 * (step / (2.0 * radius)).asin()
@@ -216,8 +271,8 @@ mod tests {
         match method {
             ArcMethod::SevenM => 0.3,
             ArcMethod::DirectFunction => 0.75,
-            // √(1 + λ²/4) of it.
-            ArcMethod::ExtendedDda => 0.04,
+            // √(1 + λ²/4) of a radius that grows.
+            ArcMethod::ExtendedDda => 0.1,
             ArcMethod::SecondOrder => 0.0,
         }
     }
@@ -273,6 +328,36 @@ mod tests {
                 prop_assert!(count > TAU / lambda * 0.9);
                 prop_assert_eq!(points.last(), Some(start));
             }
+        }
+
+        #[test]
+        fn no_chord_error_exceeds_the_tolerance(
+            radius in 0.1..1000.0,
+            from in 0.0..TAU,
+            lambda in 0.001..0.25,
+            share in 1e-7..0.02,
+        ) {
+            let start: [f64; 2] = [radius * from.cos(), radius * from.sin()];
+            let end = turned(start, 2.0);
+            let tolerance = radius * share;
+            for method in METHODS {
+                let arc = Arc::new(start, end, Direction::Ccw, method, radius * lambda).unwrap();
+                let arc = arc.within(tolerance).unwrap();
+                prop_assert!(arc.step() <= radius * lambda);
+                let mut last = start;
+                for point in arc {
+                    let chord = (point[0] - last[0]).hypot(point[1] - last[1]);
+                    // From geometry: what the middle of the chord lacks to the radius, but for what the
+                    // extended integration adds to that itself.
+                    let to_chord: f64 = radius * radius - chord * chord / 4.0;
+                    prop_assert!(radius - to_chord.sqrt()
+                        <= tolerance * (1.0 + 1e-6) + 1e-12 * radius, "{:?}", method);
+                    last = point;
+                }
+                prop_assert_eq!(last, end);
+            }
+            let arc = Arc::new(start, end, Direction::Ccw, METHODS[0], radius * lambda).unwrap();
+            prop_assert_eq!(arc.within(0.0).unwrap_err(), SamplingError::NoStep);
         }
 
         /// Two neighbours on the circle: the point in the middle of their chord is the chord error

@@ -1,0 +1,109 @@
+//! `onepulse sample`: the points of one curve by data sampling, as CSV.
+
+use crate::args::SampleArguments;
+use crate::curve::Curve;
+use crate::failure::Failure;
+use clap::ValueEnum;
+use onepulse_plan::Length;
+use onepulse_plan::sampling::{
+    Arc, ArcMethod, Line, SamplingError, chord_error, step, textbook_chord_error,
+};
+use std::io::{self, BufWriter, Write};
+
+/// The methods by their names on the command line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SamplingName {
+    /// Time division, with the direction of 45° in the middle of the step
+    #[default]
+    #[value(name = "7m")]
+    SevenM,
+    /// Extended digital integration
+    #[value(name = "7360")]
+    ExtendedDda,
+    /// Along the tangent, closed by the circle's equation
+    DirectFunction,
+    /// Second order recursion
+    SecondOrder,
+}
+
+impl From<SamplingName> for ArcMethod {
+    fn from(name: SamplingName) -> Self {
+        match name {
+            SamplingName::SevenM => Self::SevenM,
+            SamplingName::ExtendedDda => Self::ExtendedDda,
+            SamplingName::DirectFunction => Self::DirectFunction,
+            SamplingName::SecondOrder => Self::SecondOrder,
+        }
+    }
+}
+
+pub(crate) fn sample(arguments: &SampleArguments) -> Result<(), Failure> {
+    let positive = |option: &str, text: &str| -> Result<Length, Failure> {
+        let length: Result<Length, _> = text.parse();
+        let length =
+            length.map_err(|error| Failure::Usage(format!("{option}: '{text}' is {error}")))?;
+        match length.picometres() {
+            1.. => Ok(length),
+            _ => Err(Failure::Usage(format!("{option}: '{text}' is not positive"))),
+        }
+    };
+    let pulse = positive("--pulse-mm", &arguments.pulse_mm)?;
+    let feed = positive("--feed", &arguments.feed)?;
+    let period = positive("--period", &arguments.period)?.millimetres() / 1000.0;
+    let tolerance = arguments.tolerance.as_ref();
+    let tolerance = tolerance.map(|text| positive("--tolerance", text)).transpose()?;
+    let asked = step(feed, period);
+    // Whole pulses, exactly until here.
+    let millimetres = |c: i32| {
+        let picometres = i128::from(c) * i128::from(pulse.picometres());
+        picometres as f64 / Length::MILLIMETRE.picometres() as f64
+    };
+    let failed = |error: SamplingError| Failure::Usage(error.to_string());
+    let written = match arguments.curve() {
+        Curve::Line { to } => match to[..] {
+            [x, y] => {
+                let points = Line::new([x, y].map(millimetres), asked).map_err(failed)?;
+                write(points, None)
+            }
+            _ => return Err(Failure::Usage("--to: lines of 2 axes are sampled".into())),
+        },
+        Curve::Arc { from, to, direction } => {
+            let [start, end] = [from, to].map(|point| point.map(millimetres));
+            let arc = Arc::new(start, end, direction, arguments.method.into(), asked);
+            let mut arc = arc.map_err(failed)?;
+            if let Some(tolerance) = tolerance {
+                arc = arc.within(tolerance.millimetres()).map_err(failed)?;
+                if arc.step() < asked {
+                    let reduced = feed.millimetres() * arc.step() / asked;
+                    eprintln!("note: feed reduced to {reduced:.3} mm/min to keep the tolerance");
+                }
+            }
+            let errors = arguments.errors.then_some((start, arc.radius()));
+            write(arc, errors)
+        }
+        Curve::Parabola { .. } | Curve::Helix { .. } => {
+            return Err(Failure::Usage("lines and arcs are sampled".into()));
+        }
+    };
+    written.map_err(|error| Failure::stdout(&error))
+}
+
+/// Writes the points; of an arc, from its start and with its radius, their errors too.
+fn write(points: impl Iterator<Item = [f64; 2]>, arc: Option<([f64; 2], f64)>) -> io::Result<()> {
+    let mut out = BufWriter::new(io::stdout().lock());
+    let columns = if arc.is_some() { ",chord_error,textbook_chord_error,radius_error" } else { "" };
+    writeln!(out, "k,x,y{columns}")?;
+    let mut last = arc.map_or([0.0; 2], |(start, _)| start);
+    for (k, [x, y]) in (1_u64..).zip(points) {
+        write!(out, "{k},{x},{y}")?;
+        if let Some((_, radius)) = arc {
+            let chord = (x - last[0]).hypot(y - last[1]);
+            let exact = chord_error(radius, chord);
+            let textbook = textbook_chord_error(radius, chord);
+            write!(out, ",{exact:e},{textbook:e},{:e}", x.hypot(y) - radius)?;
+        }
+        writeln!(out)?;
+        last = [x, y];
+    }
+    out.flush()
+}
