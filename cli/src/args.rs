@@ -3,6 +3,7 @@
 use crate::choice::{EndRuleName, MethodName, PresetName, UpdateName};
 use crate::compare;
 use crate::curve::{AxisName, Curve, PlaneName, PlanePoint, Point, coordinate};
+use crate::feed_rate::FeedRateArguments;
 use crate::interpolator::DriveTimes;
 use crate::table::{Format, Language};
 use clap::{Args, Parser, Subcommand};
@@ -48,6 +49,8 @@ pub(crate) enum Command {
     Compare(CompareArguments),
     /// The hardware model's wave of one curve
     Wave(WaveArguments),
+    /// How fast the methods go, over the direction of a line or over its length
+    FeedRate(FeedRateArguments),
     /// A G-code program: pulses, waves, a picture and a report
     Run(Box<RunArguments>),
 }

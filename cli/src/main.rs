@@ -5,6 +5,7 @@ mod choice;
 mod compare;
 mod curve;
 mod failure;
+mod feed_rate;
 mod interpolator;
 mod machine;
 mod output;
@@ -23,6 +24,7 @@ fn main() -> ExitCode {
         Command::Table(arguments) => table::table(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),
         Command::Wave(arguments) => wave::wave(&arguments),
+        Command::FeedRate(arguments) => feed_rate::feed_rate(&arguments),
         Command::Run(arguments) => run::run(&arguments),
     };
     match done {

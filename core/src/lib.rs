@@ -8,9 +8,9 @@
 //!
 //! | module | method | curves |
 //! |---|---|---|
-//! | [`ppc`] | point-by-point comparison (逐点比较法) | line, arc |
+//! | [`ppc`] | point-by-point comparison (逐点比较法) | line, line of more axes, arc |
 //! | [`dda`] | digital integration (数字积分法) | line of any number of axes, arc |
-//! | [`brm`] | binary rate multiplier (数字脉冲乘法器) | line of any number of axes |
+//! | [`brm`] | binary rate multiplier (数字脉冲乘法器), smoothed or not | line of any number of axes |
 //! | [`minimum_deviation`] | minimum deviation (最小偏差法) | line of any number of axes, arc |
 //! | [`vector`] | vector discrimination (矢量判别法) | line, arc |
 //! | [`comparison`] | comparison integration (比较积分法) | line, arc |

@@ -83,3 +83,19 @@ pub(crate) const fn signed(sign: i8, magnitude: i64) -> i64 {
         0
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sign_of_zero_makes_zero() {
+        assert_eq!([1, 0, -1].map(|sign| signed(sign, 7)), [7, 0, -7]);
+    }
+
+    #[test]
+    fn no_pulse_is_none_of_any_axis() {
+        assert!(Pulse([0, 0]).is_none());
+        assert!(!Pulse([0, -1]).is_none() && !Pulse([1, 0]).is_none());
+    }
+}

@@ -152,19 +152,21 @@ impl Walk {
         self.sweep.feeds().away.axis == feed.axis
     }
 
-    /// One step of a machine that feeds `due`, a motion or both, while F decides: an axis that
-    /// stands at its end coordinate is not fed, the other one is; when both stand, an end point off
-    /// the circle is stepped out, x first.
+    /// One step of a machine that judges what is due by F and the magnitudes: an axis that stands
+    /// at its end coordinate is not fed, the other one is, whatever F says; when both stand, an end
+    /// point off the circle is stepped out, x first.
     #[inline]
-    pub(crate) fn step(&mut self, due: Due) -> Pulse {
-        let pulse = match (self.stands(), due) {
-            ([true, true], _) => {
+    pub(crate) fn step(&mut self, judge: impl FnOnce(i64, [i64; 2]) -> Due) -> Pulse {
+        let pulse = match self.stands() {
+            [false, false] => match judge(self.f, self.point) {
+                Due::Both => self.feed_both(),
+                due => self.feed(due == Due::Towards),
+            },
+            [true, true] => {
                 let Feed { axis, sign } = self.step_out();
                 return Pulse::on(axis, sign);
             }
-            ([false, false], Due::Both) => self.feed_both(),
-            ([false, false], due) => self.feed(due == Due::Towards),
-            ([towards_stands, _], _) => self.feed(!towards_stands),
+            [towards_stands, _] => self.feed(!towards_stands),
         };
         self.cross();
         pulse

@@ -13,8 +13,9 @@
 //! | [`dda::CentredArc`] | 4: add and move, x and y | [`onepulse_core::dda::CentredArc`] |
 //! | [`ppc::Line`], [`ppc::Arc`] | 4, one a beat | [`onepulse_core::ppc`] |
 //! | [`brm::Line`] | 1 | [`onepulse_core::brm::Line`] |
+//! | [`minimum_deviation::Line`] | 1 | [`onepulse_core::minimum_deviation::Line`] |
 //!
-//! [`interpolator::Interpolator`] is the whole machine: all engines behind a decoder and a [`Fifo`] of
+//! [`interpolator::Interpolator`] is the whole machine: the engines of the first three methods behind a decoder and a [`Fifo`] of
 //! commands, with a pulse source for the feed, and with a [`StepDir`] for each axis' drive.
 //!
 //! `trace` writes their waves as VCD or FST. Without the feature `waves` it is left out, and what is left,
@@ -37,6 +38,7 @@ mod circuit;
 pub mod dda;
 mod fifo;
 pub mod interpolator;
+pub mod minimum_deviation;
 pub mod ppc;
 mod probe;
 mod step_dir;

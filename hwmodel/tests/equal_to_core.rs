@@ -3,9 +3,11 @@
 #![allow(clippy::unwrap_used)]
 
 use onepulse_core::dda::{Preset, Radix, Register};
-use onepulse_core::{Direction, EndRule, Pulse};
-use onepulse_core::{brm as soft_brm, dda as soft_dda, ppc as soft_ppc};
-use onepulse_hwmodel::{Circuit, brm, dda, ppc};
+use onepulse_core::{Direction, EndRule, Error, Pulse};
+use onepulse_core::{
+    brm as soft_brm, dda as soft_dda, minimum_deviation as soft_minimum_deviation, ppc as soft_ppc,
+};
+use onepulse_hwmodel::{Circuit, brm, dda, minimum_deviation, ppc};
 use proptest::prelude::*;
 use std::fmt::Debug;
 
@@ -47,6 +49,14 @@ fn dda_line(end: [i32; 2], bits: u32, preset: Preset, normalize: bool) {
         soft_dda::Line::new(end, binary(bits), preset, normalize),
         dda::Line::new(end, bits, preset, normalize),
         ("dda line", end, bits, preset, normalize),
+    );
+}
+
+fn minimum_deviation_line<const AXES: usize>(end: [i32; AXES], bits: u32) {
+    assert_equal(
+        soft_minimum_deviation::Line::new(end),
+        minimum_deviation::Line::new(end, bits),
+        ("minimum deviation line", end, bits),
     );
 }
 
@@ -97,6 +107,7 @@ fn every_line_of_up_to_6_bits() {
                 brm::Line::new(end, bits),
                 ("brm line", end, bits),
             );
+            minimum_deviation_line(end, bits);
             for rule in RULES {
                 assert_equal(
                     soft_ppc::Line::new(end, rule),
@@ -154,10 +165,36 @@ fn more_axes_share_the_counter() {
     assert_equal(soft_brm::Line::new(end, 4), brm::Line::new(end, 4), end);
 }
 
+#[test]
+fn every_line_by_minimum_deviation_in_space() {
+    for [x, y] in points(7) {
+        for z in -7..=7 {
+            minimum_deviation_line([x, y, z], 3);
+        }
+    }
+    minimum_deviation_line([-9, 31, 30, 17, 0], 5);
+}
+
+#[test]
+fn a_line_that_the_registers_do_not_hold_is_refused() {
+    let error = |needed| Some(Error::RegisterTooNarrow { digits: 4, needed });
+    for (end, needed) in [([16, 0], 5), ([0, -31], 5), ([i32::MIN, 3], 32)] {
+        assert_eq!(minimum_deviation::Line::new(end, 4).err(), error(needed));
+    }
+    for bits in [0, 33] {
+        assert!(minimum_deviation::Line::new([1, 1], bits).is_err());
+    }
+}
+
 /// A coordinate of up to `bits` bits with its sign, the boundaries more often.
 fn coordinate(bits: u32) -> impl Strategy<Value = i32> {
     let most = ((1_i64 << bits) - 1) as i32;
     prop_oneof![3 => -most..=most, 1 => Just(most), 1 => Just(-most), 1 => Just(0)]
+}
+
+/// Any coordinate, the largest and the smallest more often.
+fn longest() -> impl Strategy<Value = i32> {
+    prop_oneof![3 => any::<i32>(), 1 => Just(i32::MAX), 1 => Just(i32::MIN), 1 => Just(0)]
 }
 
 proptest! {
@@ -177,6 +214,7 @@ proptest! {
             ppc::Line::new(end, bits, RULES[rule]),
             (end, bits),
         );
+        minimum_deviation_line(end, bits);
     }
 
     #[test]
@@ -230,6 +268,17 @@ proptest! {
         }
         let soft = soft_ppc::Line::new(end, EndRule::Total).unwrap();
         let hard = ppc::Line::new(end, 32, EndRule::Total).unwrap();
+        prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
+        let soft = soft_minimum_deviation::Line::new(end).unwrap();
+        let hard = minimum_deviation::Line::new(end, bits - 1).unwrap();
+        prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
+    }
+
+    #[test]
+    fn the_first_cycles_of_the_longest_lines(end in [longest(), longest(), longest()]) {
+        const CYCLES: usize = 5000;
+        let soft = soft_minimum_deviation::Line::new(end).unwrap();
+        let hard = minimum_deviation::Line::new(end, 32).unwrap();
         prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
     }
 }

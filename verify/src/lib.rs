@@ -8,6 +8,7 @@
 //! | [`dda_line`] | after k accumulations an axis has had ⌊(preset + k·J)/2ⁿ⌋ pulses |
 //! | [`dda_arc`] | the same with the sum of the integrand over the path for k·J |
 //! | [`brm_line`] | a stage whose first clock is 2^t has passed ⌊(k + 2^t)/2^(t+1)⌋ of k clocks |
+//! | [`step_lines`] | minimum deviation: the nearest whole number; vectors: the first beyond the line; intervals: pulses by their times |
 //!
 //! The tests of this crate hold the machines of `onepulse-core` against them, exhaustively at
 //! narrow widths and at random at full width.
@@ -29,6 +30,7 @@ pub mod ppc_line;
 pub mod proof_mutants;
 pub mod prover;
 pub mod rtl_formal;
+pub mod step_lines;
 pub mod sweep;
 
 pub use lattice::circles;

@@ -36,6 +36,13 @@ impl Arc {
         Ok(Self { walk: Walk::new(Sweep::new(start, end, direction)?, start) })
     }
 
+    /// The arc from `start` along a sweep that begins there: [`Arc::new`] without its roots.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn along_given(sweep: Sweep, start: [i32; 2]) -> Self {
+        Self { walk: Walk::new(sweep, start) }
+    }
+
     /// The arc at this place, reachable or not.
     #[cfg(feature = "proofs")]
     #[must_use]
@@ -49,30 +56,15 @@ impl Arc {
         if self.is_done() {
             return None;
         }
-        let pulse = self.walk.step(self.judge());
+        let pulse = self.walk.step(judge);
         debug_assert!(self.invariant());
         Some(pulse)
     }
 
-    /// The axis whose pulse is due first.
-    #[inline]
-    const fn judge(&self) -> Due {
-        let lead = self.walk.deviation_function() - self.level();
-        if lead > 0 {
-            Due::Towards
-        } else if lead < 0 {
-            Due::Away
-        } else {
-            Due::Both
-        }
-    }
-
     /// The F at which the next pulses of both axes are due together: t − a − 1.
-    #[inline]
     #[must_use]
     pub const fn level(&self) -> i64 {
-        let [towards, away] = self.walk.magnitudes();
-        towards - away - 1
+        level(self.walk.magnitudes())
     }
 
     /// The place on the circle.
@@ -101,6 +93,24 @@ impl Arc {
                     && towards > 0
                     && (towards > 1 || away > 0 || f <= 0))
     }
+}
+
+/// The axis whose pulse is due first.
+#[inline]
+const fn judge(f: i64, [towards, away]: [i64; 2]) -> Due {
+    let lead = f - level([towards, away]);
+    if lead > 0 {
+        Due::Towards
+    } else if lead < 0 {
+        Due::Away
+    } else {
+        Due::Both
+    }
+}
+
+#[inline]
+const fn level([towards, away]: [i64; 2]) -> i64 {
+    towards - away - 1
 }
 
 impl Iterator for Arc {

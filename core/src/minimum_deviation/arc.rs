@@ -6,10 +6,10 @@ use crate::{Direction, Error, Pulse, Sweep};
 /// An arc about the origin, any sweep up to a full turn.
 ///
 /// F = x² + y² − R². In a quadrant three steps lead on: the one towards an axis, the one away from the
-/// other axis, and both together. The one that leaves the smallest |F| is taken, both together
-/// before a single one where they are alike. (Textbooks name the two candidates octant by octant; of
-/// the three, the third is never the nearest where they do not name it, but next to the diagonal,
-/// where it may be.) Always |F| ≤ max(|x|, |y|), so that the path is ½ pulse inside its circle at
+/// other axis, and both together. The one that leaves the smallest |F| is taken. (It is one alone:
+/// the diagonal step's F differs from the others' by odd numbers, and where those two are alike, the
+/// diagonal one is smaller. Textbooks name two candidates octant by octant; the third is the nearest
+/// next to the diagonal at most.) Always |F| ≤ max(|x|, |y|), so that the path is ½ pulse inside its circle at
 /// most, and ½ + 1/(8R) outside.
 ///
 /// The path runs through every lattice point of its circle within the sweep. An end point off
@@ -35,6 +35,13 @@ impl Arc {
         Ok(Self { walk: Walk::new(Sweep::new(start, end, direction)?, start) })
     }
 
+    /// The arc from `start` along a sweep that begins there: [`Arc::new`] without its roots.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn along_given(sweep: Sweep, start: [i32; 2]) -> Self {
+        Self { walk: Walk::new(sweep, start) }
+    }
+
     /// The arc at this place, reachable or not.
     #[cfg(feature = "proofs")]
     #[must_use]
@@ -48,24 +55,9 @@ impl Arc {
         if self.is_done() {
             return None;
         }
-        let pulse = self.walk.step(self.judge());
+        let pulse = self.walk.step(judge);
         debug_assert!(self.invariant());
         Some(pulse)
-    }
-
-    /// What the smallest deviation asks for.
-    #[inline]
-    const fn judge(&self) -> Due {
-        let [towards, away] = self.walk.magnitudes();
-        let f = self.walk.deviation_function();
-        let (in_towards, in_away) = (f - 2 * towards + 1, f + 2 * away + 1);
-        let (nearer, due) = if in_towards.abs() <= in_away.abs() {
-            (in_towards.abs(), Due::Towards)
-        } else {
-            (in_away.abs(), Due::Away)
-        };
-        let in_both = in_towards + 2 * away + 1;
-        if in_both.abs() <= nearer { Due::Both } else { due }
     }
 
     /// The place on the circle.
@@ -95,6 +87,19 @@ impl Arc {
                     && towards > 0
                     && (towards > 1 || away > 0 || f <= 0))
     }
+}
+
+/// What the smallest deviation asks for.
+#[inline]
+const fn judge(f: i64, [towards, away]: [i64; 2]) -> Due {
+    let (in_towards, in_away) = (f - 2 * towards + 1, f + 2 * away + 1);
+    let (nearer, due) = if in_towards.abs() <= in_away.abs() {
+        (in_towards.abs(), Due::Towards)
+    } else {
+        (in_away.abs(), Due::Away)
+    };
+    let in_both = in_towards + 2 * away + 1;
+    if in_both.abs() <= nearer { Due::Both } else { due }
 }
 
 impl Iterator for Arc {

@@ -34,6 +34,13 @@ impl Arc {
         Ok(Self { walk: Walk::new(Sweep::new(start, end, direction)?, start) })
     }
 
+    /// The arc from `start` along a sweep that begins there: [`Arc::new`] without its roots.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn along_given(sweep: Sweep, start: [i32; 2]) -> Self {
+        Self { walk: Walk::new(sweep, start) }
+    }
+
     /// The arc at this place, reachable or not.
     #[cfg(feature = "proofs")]
     #[must_use]
@@ -47,21 +54,9 @@ impl Arc {
         if self.is_done() {
             return None;
         }
-        let pulse = self.walk.step(self.judge());
+        let pulse = self.walk.step(judge);
         debug_assert!(self.invariant());
         Some(pulse)
-    }
-
-    /// What the octant and the sign of F ask for.
-    #[inline]
-    const fn judge(&self) -> Due {
-        let [towards, away] = self.walk.magnitudes();
-        let is_inside = self.walk.deviation_function() < 0;
-        match (towards > away, is_inside) {
-            (true, true) => Due::Away,
-            (false, false) => Due::Towards,
-            (true, false) | (false, true) => Due::Both,
-        }
     }
 
     /// The place on the circle.
@@ -86,6 +81,17 @@ impl Arc {
         let f = self.walk.deviation_function();
         self.walk.invariant()
             && (!self.walk.is_free() || (-2 * largest <= f && f < 2 * largest) && towards > 0)
+    }
+}
+
+/// What the octant and the sign of F ask for.
+#[inline]
+const fn judge(f: i64, [towards, away]: [i64; 2]) -> Due {
+    let is_inside = f < 0;
+    match (towards > away, is_inside) {
+        (true, true) => Due::Away,
+        (false, false) => Due::Towards,
+        (true, false) | (false, true) => Due::Both,
     }
 }
 

@@ -15,14 +15,25 @@
 
 mod any;
 mod brm;
+mod brm_smoothed;
 mod centred_arc;
+mod circle_walk;
+mod comparison_arc;
+mod comparison_line;
 mod dda_arc;
 mod dda_line;
 mod hardware;
+mod helix;
+mod minimum_deviation_arc;
+mod minimum_deviation_line;
+mod parabola;
 mod ppc_arc;
 mod ppc_line;
 mod product;
 mod quadrant_walk;
 mod same;
+mod space_line;
+mod vector_arc;
+mod vector_line;
 #[cfg(feature = "wrong")]
 mod wrong;

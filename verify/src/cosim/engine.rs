@@ -12,10 +12,12 @@ pub(super) enum Engine {
     PpcLine,
     PpcArc,
     BrmLine,
+    MinimumDeviationLine,
+    MinimumDeviationLine4,
 }
 
 impl Engine {
-    pub(super) const ALL: [Self; 7] = [
+    pub(super) const ALL: [Self; 9] = [
         Self::DdaLine,
         Self::DdaLine4,
         Self::DdaArc,
@@ -23,6 +25,8 @@ impl Engine {
         Self::PpcLine,
         Self::PpcArc,
         Self::BrmLine,
+        Self::MinimumDeviationLine,
+        Self::MinimumDeviationLine4,
     ];
 
     /// The Verilog module.
@@ -34,20 +38,25 @@ impl Engine {
             Self::PpcLine => "ppc_line",
             Self::PpcArc => "ppc_arc",
             Self::BrmLine => "brm_line",
+            Self::MinimumDeviationLine | Self::MinimumDeviationLine4 => "minimum_deviation_line",
         }
     }
 
     /// The number of axes.
     pub(super) const fn axes(self) -> usize {
         match self {
-            Self::DdaLine4 => 4,
+            Self::DdaLine4 | Self::MinimumDeviationLine4 => 4,
             _ => 2,
         }
     }
 
     /// Whether the module has the parameter AXES.
     const fn has_axes(self) -> bool {
-        matches!(self, Self::DdaLine | Self::DdaLine4 | Self::BrmLine)
+        match self {
+            Self::DdaLine | Self::DdaLine4 | Self::BrmLine => true,
+            Self::MinimumDeviationLine | Self::MinimumDeviationLine4 => true,
+            Self::DdaArc | Self::DdaCentredArc | Self::PpcLine | Self::PpcArc => false,
+        }
     }
 
     /// The module as the bench sees it, in registers of `bits` bits. The inputs are `i_rst`, `i_load`
@@ -120,6 +129,13 @@ impl Engine {
                 inputs.extend(Port::each("i_value", n, self.axes()));
                 inputs.push(whole("i_negative", self.axes() as u32));
             }
+            Self::MinimumDeviationLine | Self::MinimumDeviationLine4 => {
+                inputs.extend(Port::each("i_end", n, self.axes()));
+                inputs.extend(Port::each("i_rest", n, self.axes()));
+                inputs.extend(Port::each("i_d", n + 2, self.axes()));
+                inputs.push(whole("i_steps", n));
+                inputs.push(whole("i_negative", self.axes() as u32));
+            }
         }
         inputs
     }
@@ -150,8 +166,8 @@ impl Engine {
                 whole("shrinks_y", "o_shrinks_y", 1),
             ]
         };
-        let each = |signals: &[&'static str], port| -> Vec<Output> {
-            let parts = Port::each(port, n, signals.len());
+        let each = |signals: &[&'static str], port, width| -> Vec<Output> {
+            let parts = Port::each(port, width, signals.len());
             signals.iter().zip(parts).map(|(signal, part)| Output::new(*signal, part)).collect()
         };
         // The sign flip-flops, whether there is a pulse or not.
@@ -164,8 +180,8 @@ impl Engine {
         let mut outputs = Vec::new();
         match self {
             Self::DdaLine | Self::DdaLine4 => {
-                outputs.extend(each(&["jvx", "jvy", "jvz", "jva"][..self.axes()], "o_jv"));
-                outputs.extend(each(&["jrx", "jry", "jrz", "jra"][..self.axes()], "o_jr"));
+                outputs.extend(each(&["jvx", "jvy", "jvz", "jva"][..self.axes()], "o_jv", n));
+                outputs.extend(each(&["jrx", "jry", "jrz", "jra"][..self.axes()], "o_jr", n));
                 outputs.push(whole("je", "o_je", n + 1));
                 outputs.extend(signs(self.axes()));
             }
@@ -218,10 +234,19 @@ impl Engine {
             Self::BrmLine => {
                 outputs.push(whole("tg", "o_tg", 1));
                 outputs.push(whole("divider", "o_divider", n));
-                outputs.extend(each(&["value_x", "value_y"], "o_value"));
+                outputs.extend(each(&["value_x", "value_y"], "o_value", n));
                 outputs.push(whole("stages", "o_stages", n));
                 outputs.push(whole("overflow", "o_overflow", 1));
                 outputs.extend(signs(2));
+            }
+            Self::MinimumDeviationLine | Self::MinimumDeviationLine4 => {
+                let ends = &["end_x", "end_y", "end_z", "end_a"][..self.axes()];
+                let rests = &["rest_x", "rest_y", "rest_z", "rest_a"][..self.axes()];
+                outputs.extend(each(&["dx", "dy", "dz", "da"][..self.axes()], "o_d", n + 2));
+                outputs.extend(each(ends, "o_end", n));
+                outputs.extend(each(rests, "o_rest", n));
+                outputs.push(whole("steps", "o_steps", n));
+                outputs.extend(signs(self.axes()));
             }
         }
         outputs

@@ -90,13 +90,14 @@ const MACHINES: [(u32, usize); 5] = [(8, 2), (8, 4), (16, 3), (24, 2), (32, 4)];
 pub fn run(options: &Options) -> Result<(), String> {
     if options.mutants {
         // Waves take long, and differ where the words do.
-        return mutants::run(&options.rtl, &options.build, !options.waves, |rtl, build, twin| {
+        let is_asked = |twin: Twin| options.is_of_module(twin);
+        let [rtl, build] = [&options.rtl, &options.build];
+        return mutants::run(rtl, build, !options.waves, is_asked, |rtl, build, twin| {
             options.check(rtl, build, twin).map(drop)
         });
     }
     let is_asked = |twin: &Twin| {
-        options.module.as_ref().is_none_or(|module| module == twin.module())
-            && options.bits.is_none_or(|bits| bits == twin.bits())
+        options.is_of_module(*twin) && options.bits.is_none_or(|bits| bits == twin.bits())
     };
     let engines = Engine::ALL.into_iter();
     let twins = engines.flat_map(|engine| WIDTHS.map(|bits| Twin::Engine { engine, bits }));
@@ -169,6 +170,10 @@ impl Twin {
 }
 
 impl Options {
+    fn is_of_module(&self, twin: Twin) -> bool {
+        self.module.as_ref().is_none_or(|module| module == twin.module())
+    }
+
     /// Compares one twin, and says what was equal.
     fn check(&self, rtl: &Path, build: &Path, twin: Twin) -> Result<String, Fault> {
         let enough = if self.waves { 40_000 } else { 300_000 };

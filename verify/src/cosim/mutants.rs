@@ -103,6 +103,24 @@ const MUTANTS: &[(Twin, Mutant)] = &[
         "o_tg      <= ~o_overflow;",
         "o_tg      <= 1'b1;",
     ),
+    mutant(
+        engine(Engine::MinimumDeviationLine),
+        "minimum_deviation_line.v",
+        "is_due = ~d[N+1];",
+        "is_due = ~d[N+1] & d != 0;",
+    ),
+    mutant(
+        engine(Engine::MinimumDeviationLine),
+        "minimum_deviation_line.v",
+        "is_due ? ~o_rest",
+        "is_due ? ~o_end",
+    ),
+    mutant(
+        engine(Engine::MinimumDeviationLine4),
+        "minimum_deviation_line.v",
+        "run = i_en & ~o_done",
+        "run = i_en",
+    ),
     mutant(MACHINE, "command_decoder.v", "i_valid & o_ready", "i_valid"),
     mutant(MACHINE, "command_decoder.v", "(cw ? nx | zx : nx)", "nx"),
     mutant(MACHINE, "command_decoder.v", "(cw ? nx : nx | zx)", "nx"),
@@ -159,7 +177,7 @@ const MUTANTS: &[(Twin, Mutant)] = &[
 ];
 
 /// Runs every mutant until it is found out: the decisions, and every assignment to a register; or,
-/// if not `all` are asked for, the decisions of the engines.
+/// if not `all` are asked for, the decisions of the engines; in either case of the twins asked for.
 ///
 /// # Errors
 /// A mutant that stays hidden, cannot be built, or does not fit the source any more.
@@ -167,13 +185,14 @@ pub(super) fn run(
     rtl: &Path,
     build: &Path,
     all: bool,
+    is_asked: impl Fn(Twin) -> bool,
     check: impl Fn(&Path, &Path, Twin) -> Result<(), Fault> + Sync,
 ) -> Result<(), String> {
     let registers = if all { Mutant::of_every_register(rtl)? } else { Vec::new() };
     let registers = registers.into_iter().map(|mutant| (twin_of(&mutant.file), mutant));
-    let is_asked = |(twin, _): &&(Twin, Mutant)| all || matches!(twin, Twin::Engine { .. });
-    let mutants: Vec<_> =
-        MUTANTS.iter().filter(is_asked).cloned().chain(registers).enumerate().collect();
+    let is_seen = |(twin, _): &&(Twin, Mutant)| all || matches!(twin, Twin::Engine { .. });
+    let mutants = MUTANTS.iter().filter(is_seen).cloned().chain(registers);
+    let mutants: Vec<_> = mutants.filter(|(twin, _)| is_asked(*twin)).enumerate().collect();
     in_parallel(&mutants, |(number, (twin, mutant))| {
         let folder = build.join(format!("mutant_{number}"));
         mutant.copy(rtl, &folder)?;
@@ -198,6 +217,7 @@ fn twin_of(file: &str) -> Twin {
         "ppc_line.v" => engine(Engine::PpcLine),
         "ppc_arc.v" => engine(Engine::PpcArc),
         "brm_line.v" => engine(Engine::BrmLine),
+        "minimum_deviation_line.v" => engine(Engine::MinimumDeviationLine),
         _ => MACHINE,
     }
 }

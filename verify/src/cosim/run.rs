@@ -57,6 +57,12 @@ impl Plan<'_> {
             Engine::PpcLine => self.run_with(bench, stimulus::ppc_line),
             Engine::PpcArc => self.run_with(bench, stimulus::ppc_arc),
             Engine::BrmLine => self.run_with(bench, stimulus::brm_line),
+            Engine::MinimumDeviationLine => {
+                self.run_with(bench, stimulus::minimum_deviation_line::<2>)
+            }
+            Engine::MinimumDeviationLine4 => {
+                self.run_with(bench, stimulus::minimum_deviation_line::<4>)
+            }
         }
     }
 

@@ -5,7 +5,7 @@ use super::reading::Registers;
 use fastrand::Rng;
 use onepulse_core::dda::{self as software, Preset, Radix, Register};
 use onepulse_core::{Direction, EndRule, ppc as software_ppc};
-use onepulse_hwmodel::{brm, dda, ppc};
+use onepulse_hwmodel::{brm, dda, minimum_deviation, ppc};
 
 /// A command.
 #[derive(Debug)]
@@ -37,6 +37,22 @@ pub(super) fn brm_line(choice: &mut Rng, bits: u32) -> Option<Command<brm::Line>
     let circuit = brm::Line::new(end, bits).ok()?;
     let registers = Registers::of(&circuit);
     let words = vec![registers.get("value_x"), registers.get("value_y"), signs(end)];
+    Some(Command { what: format!("{end:?}"), circuit, words })
+}
+
+pub(super) fn minimum_deviation_line<const AXES: usize>(
+    choice: &mut Rng,
+    bits: u32,
+) -> Option<Command<minimum_deviation::Line<AXES>>> {
+    let end = [0; AXES].map(|_| coordinate(choice, bits));
+    let circuit = minimum_deviation::Line::new(end, bits).ok()?;
+    let registers = Registers::of(&circuit);
+    let mut words = Vec::new();
+    for stem in ["end_", "rest_", "d"] {
+        let names = ["x", "y", "z", "a"][..AXES].iter().map(|letter| format!("{stem}{letter}"));
+        words.extend(names.map(|name| registers.get(&name)));
+    }
+    words.extend([registers.get("steps"), signs(end)]);
     Some(Command { what: format!("{end:?}"), circuit, words })
 }
 

@@ -26,13 +26,20 @@ pub(super) struct Judge {
 }
 
 /// The files of the machines, and the modules of the harnesses that run each.
-pub(super) const FILES: [(&str, &[&str]); 8] = [
+pub(super) const FILES: [(&str, &[&str]); 15] = [
     ("core/src/ppc/line.rs", &["ppc_line"]),
     ("core/src/ppc/arc.rs", &["ppc_arc"]),
     ("core/src/dda/line.rs", &["dda_line"]),
     ("core/src/dda/arc.rs", &["dda_arc"]),
     ("core/src/dda/centred_arc.rs", &["centred_arc"]),
     ("core/src/brm.rs", &["brm"]),
+    ("core/src/minimum_deviation/line.rs", &["minimum_deviation_line"]),
+    ("core/src/minimum_deviation/arc.rs", &["minimum_deviation_arc"]),
+    ("core/src/vector/line.rs", &["vector_line"]),
+    ("core/src/vector/arc.rs", &["vector_arc"]),
+    ("core/src/comparison/line.rs", &["comparison_line"]),
+    ("core/src/comparison/arc.rs", &["comparison_arc"]),
+    ("core/src/walk.rs", &["ppc_arc", "minimum_deviation_arc", "vector_arc", "comparison_arc"]),
     ("core/src/sweep.rs", &["ppc_arc", "dda_arc", "centred_arc"]),
     ("core/src/quadrant.rs", &["ppc_arc", "dda_arc", "centred_arc"]),
 ];

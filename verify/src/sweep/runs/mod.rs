@@ -8,6 +8,8 @@ mod dda_lines;
 mod ppc_arcs;
 mod ppc_lines;
 mod ppc_off_circle;
+mod step_arcs;
+mod step_lines;
 
 use super::curve::{Case, Curve};
 use super::driver::{Driver, Item};
@@ -21,9 +23,9 @@ use onepulse_core::Pulse;
 pub struct Parameters {
     /// The width of the registers, for lines by digital integration and by the rate multiplier.
     pub bits: u32,
-    /// The largest radius, for arcs by point-by-point comparison.
+    /// The largest radius, for arcs without registers.
     pub radius: u32,
-    /// The largest coordinate, for lines by point-by-point comparison.
+    /// The largest coordinate, for lines without registers.
     pub coordinate: u32,
 }
 
@@ -105,6 +107,8 @@ pub fn run(parameters: &Parameters, driver: &Driver) -> Result<Outcome, String> 
     let mut machines =
         vec![ppc_lines::machine(coordinate as i32), ppc_arcs::machine(radius as i32)];
     machines.push(ppc_off_circle::machine());
+    machines.extend(step_lines::machines(coordinate as i32));
+    machines.extend(step_arcs::machines(radius as i32));
     machines.extend(dda_lines::machines(bits));
     machines.push(brm_lines::machine(bits));
     let mut items = Vec::new();
@@ -121,8 +125,9 @@ pub fn run(parameters: &Parameters, driver: &Driver) -> Result<Outcome, String> 
     }
     let statement = format!(
         "Whole runs of every machine at narrow widths follow the independent formula of their method point \
-         by point, keep its bound, and end exactly: point-by-point comparison to ±{coordinate} and on all \
-         lattice circles with R ≤ {radius}, digital integration and the rate multiplier with {bits} bits."
+         by point, keep its bound, and end exactly: point-by-point comparison, minimum deviation, vector \
+         discrimination and comparison integration to ±{coordinate} and on all lattice circles with \
+         R ≤ {radius} (through every point of theirs on the way), digital integration and the rate multiplier with {bits} bits."
     );
     let mut outcome = Outcome::new("RUNS", statement, &findings, &about);
     let header = ["machine", "demanded", "runs", "cycles", "worst", "at fault"];
