@@ -43,11 +43,11 @@ pub(crate) const LINES_ONLY: Refusal =
 /// What only the software does.
 pub(crate) const SOFTWARE_ONLY: Refusal = Refusal::Method(
     "the hardware model has no circuit for this: it has them for --method ppc (lines of 2 axes, \
-     arcs), dda (lines, arcs) and brm (lines, without --smooth); pulses needs none",
+     arcs), dda (lines, arcs) and brm (lines, without --smooth); pulses, table and compare need none",
 );
 
 /// A parabola by a method that has none.
-const NO_PARABOLA: Refusal =
+pub(crate) const NO_PARABOLA: Refusal =
     Refusal::Method("parabolas are served by --method ppc, dda and min-deviation only");
 
 /// Where every counter counts to the end, and no other rule is known.

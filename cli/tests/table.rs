@@ -54,7 +54,7 @@ fn deviation_functions(cells: &[Vec<String>]) -> Vec<i64> {
 const FORMATS: [&str; 3] = ["text", "md", "csv"];
 
 /// A curve of every kind of table, and words of its headings in both languages.
-const CURVES: [(&str, [&str; 2]); 6] = [
+const CURVES: [(&str, [&str; 2]); 17] = [
     ("line --to 5,3", ["judge", "偏差判别"]),
     ("arc --from 5,0 --to 0,5 --ccw", ["feed", "坐标进给"]),
     ("line --to 4,6,-5,1 --method dda", ["remainder", "余数"]),
@@ -64,6 +64,17 @@ const CURVES: [(&str, [&str; 2]); 6] = [
         ["end counter", "终点计数器"],
     ),
     ("line --to 10,6 --method brm", ["stage of weight", "通过级的权"]),
+    ("line --to 5,-3,2", ["judge", "偏差判别"]),
+    ("line --to 5,3 --method min-deviation", ["judge", "偏差判别"]),
+    ("line --to 5,3,-2,1 --method min-deviation", ["feed", "坐标进给"]),
+    ("line --to -5,3 --method vector", ["update", "偏差计算"]),
+    ("line --to 3,-5 --method compare-integral", ["end counter", "终点计数器"]),
+    ("arc --from 5,0 --to -4,3 --ccw --method min-deviation", ["judge", "偏差判别"]),
+    ("arc --from 5,0 --to 0,5 --cw --method vector", ["judge", "偏差判别"]),
+    ("arc --from 5,0 --to 5,0 --cw --method compare-integral", ["judge", "偏差判别"]),
+    ("parabola --p 2 --to 4,4", ["judge", "偏差判别"]),
+    ("parabola --p -2 --to 4,-4 --axis y --method min-deviation", ["judge", "偏差判别"]),
+    ("parabola --p 2 --to 4,-4 --method dda", ["integrand", "被积函数"]),
 ];
 
 #[test]
@@ -194,6 +205,107 @@ fn the_gated_stages_of_the_rate_multiplier() {
 }
 
 #[test]
+fn a_line_by_minimum_deviation_as_text() {
+    assert_eq!(
+        table("line --to 3,-2 --method min-deviation"),
+        "\
+step   judge                         feed     update           x  y   end counter Ex  end counter Ey
+-----  ----------------------------  -------  ---------------  -  --  --------------  --------------
+start                                         dy = 0           0  0   3               2
+1      dy + 2|y_e| = 0 + 4 = 4 > 3   +Δx -Δy  dy = 4 - 6 = -2  1  -1  2               1
+2      dy + 2|y_e| = -2 + 4 = 2 ≤ 3  +Δx      dy = 2           2  -1  1               1
+3      dy + 2|y_e| = 2 + 4 = 6 > 3   +Δx -Δy  dy = 6 - 6 = 0   3  -2  0               0
+"
+    );
+}
+
+#[test]
+fn an_arc_by_vectors_in_markdown() {
+    assert_eq!(
+        table("arc --from 2,0 --to 0,2 --ccw --method vector --format md --lang zh"),
+        "\
+| 序号 | 偏差判别 | 坐标进给 | 偏差计算 | x | y | 终点计数器 Ex | 终点计数器 Ey |
+|---|---|---|---|---|---|---|---|
+| 起点 |  |  | F0 = 0 | 2 | 0 | 2 | 2 |
+| 1 | F0 = 0, \\|x\\| > \\|y\\| | -Δx +Δy | F1 = F0 - 2\\|x\\| + 1 + 2\\|y\\| + 1 = 0 - 4 + 1 + 0 + 1 = -2 | 1 | 1 | 1 | 1 |
+| 2 | F1 = -2 < 0, \\|x\\| = \\|y\\| | -Δx +Δy | F2 = F1 - 2\\|x\\| + 1 + 2\\|y\\| + 1 = -2 - 2 + 1 + 2 + 1 = 0 | 0 | 2 | 0 | 0 |
+"
+    );
+}
+
+/// The deviations of the textbooks' line and arc by the other methods, worked by hand.
+#[test]
+fn the_deviations_of_the_methods_that_move_both_axes() {
+    let found = |arguments: &str| {
+        let cells = cells(arguments);
+        let value = |cell: &String| cell.rsplit("= ").next().unwrap().parse::<i64>().unwrap();
+        column(&cells, "update").iter().map(value).collect::<Vec<_>>()
+    };
+    assert_eq!(found("line --to 5,3 --method min-deviation"), [0, -4, 2, -2, 4, 0]);
+    assert_eq!(found("line --to 5,3 --method vector"), [0, 2, -1, 1, -2, 0]);
+    assert_eq!(found("line --to 5,3 --method compare-integral"), [-2, 4, -6, 0, -4, 2, -8, -2]);
+    let arc = "arc --from 5,0 --to 0,5 --ccw --method";
+    assert_eq!(found(&format!("{arc} min-deviation")), [0, 1, 4, 0, 0, 4, 1, 0]);
+    assert_eq!(found(&format!("{arc} vector")), [0, -8, -5, 0, 0, -5, 1, 0]);
+    assert_eq!(found(&format!("{arc} compare-integral")), [0, 1, 4, -5, 0, 0, -5, 4, 1, 0]);
+    assert_eq!(found("parabola --p 2 --to 4,4"), [0, -4, -3, 0, -4, 1, -3, 4, 0]);
+    let nearest = "parabola --p 1 --to 8,4 --method min-deviation";
+    assert_eq!(found(nearest), [0, 1, -1, 0, -2, 1, -1, -3, 2, 0]);
+}
+
+#[test]
+fn the_judgements_name_what_decides() {
+    let judged = |arguments: &str| column(&cells(arguments), "judge");
+    let arc = "arc --from 5,0 --to 0,5 --ccw --method";
+    assert_eq!(
+        judged(&format!("{arc} min-deviation"))[1],
+        "-Δx: F = -9, +Δy: F = 1, -Δx +Δy: F = -8"
+    );
+    assert_eq!(judged(&format!("{arc} compare-integral"))[4], "F3 = -5 < |x| - |y| - 1 = 1");
+    assert_eq!(judged(&format!("{arc} compare-integral"))[5], "F4 = 0 = |x| - |y| - 1 = 0");
+    // From (2,4) on x leads down to the end, and then y stands at 5.
+    assert_eq!(judged(&format!("{arc} vector"))[7], "F6 = 1, y stands");
+    assert_eq!(judged("parabola --p 2 --to 4,4").last().unwrap(), "F7 = 4 > 0, y stands");
+    assert_eq!(judged("line --to 0,-2 --method vector")[1], "V0 = 0, x stands");
+    assert_eq!(
+        judged("line --to 1,-3,2"),
+        [
+            "",
+            "Fx0 = 0, Fz0 = 0",
+            "Fx1 = -1, Fz1 = -2",
+            "Fx2 = -1, Fz2 = 1",
+            "Fx3 = 2, Fz3 = 1",
+            "Fx4 = 1, Fz4 = -1",
+            "Fx5 = 1, Fz5 = 2"
+        ]
+    );
+}
+
+#[test]
+fn a_parabola_in_registers() {
+    let cells = cells("parabola --p 2 --to 4,4 --method dda");
+    assert_eq!(cells.len(), 1 + 1 + 18);
+    let jr = column(&cells, "remainder JRx");
+    assert_eq!(jr[..12], ["0", "0", "0", "0", "0", "1", "2", "3", "4", "6", "0", "2"]);
+    assert!(column(&cells, "integrand JVy").iter().all(|cell| cell == "2"));
+    assert_eq!(column(&cells, "integrand JVx").last().unwrap(), "4");
+    assert_eq!(column(&cells, "end counter JEx").last().unwrap(), "0");
+}
+
+/// Every table of steps ends where the pulses end, with its counters at zero.
+#[test]
+fn the_counters_come_to_zero() {
+    for (curve, _) in CURVES {
+        let cells = cells(curve);
+        for counter in ["end counter Ex", "end counter Ey", "end counter Ez", "end counter Ea"] {
+            if cells[0].iter().any(|heading| heading == counter) {
+                assert_eq!(column(&cells, counter).last().unwrap(), "0", "{curve} {counter}");
+            }
+        }
+    }
+}
+
+#[test]
 fn every_curve_has_its_table_in_every_format_and_language() {
     for (curve, [english, chinese]) in CURVES {
         for (language, heading) in [("en", english), ("zh", chinese)] {
@@ -259,7 +371,11 @@ fn wrong_command_lines_are_refused() {
         ("line --to 5,3 --lang de", "--lang"),
         ("line --to 5,3 --normalize", "--normalize"),
         ("line --to 5,3 --bits 2", "needs 3"),
-        ("line --to 5,3,1", "--method"),
+        ("line --to 5,3,1 --method vector", "--method"),
+        ("helix --from 5,0 --to 0,5 --rise 3 --cw", "there is no table of helices"),
+        ("line --to 5,3 --method brm --smooth 1", "and of --smooth"),
+        ("parabola --p 2 --to 4,4 --method vector", "--method"),
+        ("parabola --p 2 --to 4,4 --method dda --bits 2", "needs 3"),
         ("arc --from 5,0 --to 0,5 --ccw --method brm", "--method"),
         ("arc --from 5,0 --to 0,5 --ccw --method dda --preset full", "--preset"),
         ("arc --from 5,0 --to 0,5 --ccw --method dda --radix 10", "radix 2"),

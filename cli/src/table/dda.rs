@@ -2,7 +2,7 @@
 
 use super::{Language, Table, pulse_name};
 use crate::pulses::AXES;
-use onepulse_core::{Pulse, dda};
+use onepulse_core::{Pulse, dda, parabola};
 
 /// The table of a line.
 pub(super) struct LineTable<const N: usize> {
@@ -17,6 +17,11 @@ pub(super) struct ArcTable {
 /// The table of an arc by the centred staggered circuit.
 pub(super) struct CentredArcTable {
     pub(super) machine: dda::CentredArc,
+}
+
+/// The table of a parabola.
+pub(super) struct ParabolaTable {
+    pub(super) machine: parabola::Dda,
 }
 
 /// Cycle; integrand, remainder and overflow of each axis; then the end counters.
@@ -75,7 +80,7 @@ impl Table for ArcTable {
     }
 
     fn rows(&self, _: Language) -> impl Iterator<Item = Vec<String>> {
-        arc_rows(self.machine, |arc| Shown {
+        curve_rows(self.machine, |arc| Shown {
             integrands: arc.integrands().map(|jv| jv.to_string()),
             remainders: arc.remainders(),
             to_go: arc.residual(),
@@ -89,7 +94,7 @@ impl Table for CentredArcTable {
     }
 
     fn rows(&self, _: Language) -> impl Iterator<Item = Vec<String>> {
-        arc_rows(self.machine, |arc| Shown {
+        curve_rows(self.machine, |arc| Shown {
             integrands: arc.integrands().map(|jv| jv.to_string()),
             remainders: arc.remainders(),
             to_go: arc.residual(),
@@ -97,14 +102,28 @@ impl Table for CentredArcTable {
     }
 }
 
-/// What a row shows of an arc's registers.
+impl Table for ParabolaTable {
+    fn headings(&self, language: Language) -> Vec<String> {
+        headings(2, &["JEx", "JEy"], language)
+    }
+
+    fn rows(&self, _: Language) -> impl Iterator<Item = Vec<String>> {
+        curve_rows(self.machine, |curve| Shown {
+            integrands: curve.integrands().map(|jv| jv.to_string()),
+            remainders: curve.remainders(),
+            to_go: curve.residual(),
+        })
+    }
+}
+
+/// What a row shows of a curve's registers.
 struct Shown {
     integrands: [String; 2],
     remainders: [u64; 2],
     to_go: [i64; 2],
 }
 
-fn arc_rows<M: Iterator<Item = Pulse>>(
+fn curve_rows<M: Iterator<Item = Pulse>>(
     mut machine: M,
     shown: impl Fn(&M) -> Shown,
 ) -> impl Iterator<Item = Vec<String>> {

@@ -1,20 +1,25 @@
 //! `onepulse table`: the step table of one curve as a textbook prints it.
 
+mod arcs;
 mod brm;
 mod dda;
 pub(crate) mod layout;
+mod lines;
+mod parabola;
 mod ppc;
+mod steps;
 
 use crate::args::TableArguments;
 use crate::choice::{Method, UpdateName};
 use crate::curve::Curve;
 use crate::failure::Failure;
-use crate::machine::{Refusal, Visitor, with_machines};
+use crate::machine::{LINES_ONLY, NO_PARABOLA, Refusal, Visitor, with_machines};
 use crate::pulses::say_residual;
 use clap::ValueEnum;
 use onepulse_core::dda::{Radix, Register};
-use onepulse_core::{self as core, EndRule, Error, Pulse};
+use onepulse_core::{self as core, Direction, EndRule, Error, Pulse};
 use onepulse_hwmodel::Circuit;
+use steps::StepTable;
 
 /// How a table is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -72,40 +77,35 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<(), Failure> {
             let machine = core::ppc::Line::new([to[0], to[1]], end_rule).map_err(write)?;
             print(&ppc::LineTable { machine, end: [to[0], to[1]] }, arguments)
         }
-        (Method::Ppc { end_rule }, &Curve::Arc { from, to, direction }) => {
-            let machine = core::ppc::Arc::new(from, to, direction, end_rule).map_err(write)?;
-            print(&ppc::ArcTable { machine }, arguments)
+        (Method::Vector, Curve::Line { to }) => {
+            let machine = core::vector::Line::new([to[0], to[1]]).map_err(write)?;
+            print(&StepTable { machine }, arguments)
         }
-        (Method::Dda { .. } | Method::Brm { smoothing: 0 }, Curve::Line { to }) => match *to.as_slice() {
+        (Method::CompareIntegral, Curve::Line { to }) => {
+            let machine = core::comparison::Line::new([to[0], to[1]]).map_err(write)?;
+            print(&StepTable { machine }, arguments)
+        }
+        (_, Curve::Line { to }) => match *to.as_slice() {
             [x, y] => line([x, y], &method, arguments),
             [x, y, z] => line([x, y, z], &method, arguments),
             [x, y, z, a] => line([x, y, z, a], &method, arguments),
             _ => Err(Failure::Usage("a line has 2 to 4 axes".into())),
         },
-        (Method::Dda { preset, normalize, update, .. }, &Curve::Arc { from, to, direction }) => {
-            let register = |needed: Result<u32, Error>| {
-                let bits = options.bits.map_or(needed, Ok).map_err(write)?;
-                Register::new(Radix::Binary, bits).map_err(write)
-            };
-            if update == UpdateName::Simultaneous {
-                let register = register(core::dda::Arc::bits(from, to, direction))?;
-                let preset = preset.unwrap_or_default();
-                let machine = core::dda::Arc::new(from, to, direction, register, preset, normalize);
-                print(&dda::ArcTable { machine: machine.map_err(write)? }, arguments)
-            } else {
-                let register = register(core::dda::CentredArc::bits(from, to, direction))?;
-                let machine = core::dda::CentredArc::new(from, to, direction, register, normalize);
-                print(&dda::CentredArcTable { machine: machine.map_err(write)? }, arguments)
-            }
+        (_, &Curve::Arc { from, to, direction }) => arc(from, to, direction, &method, arguments),
+        (_, &Curve::Parabola { axis, parameter, to }) => {
+            let shape = core::parabola::Shape::new(axis, parameter, to).map_err(write)?;
+            parabola(shape, &method, arguments)
         }
-        _ => Err(Failure::Usage(
-            "there is no table of this: there are of --method ppc (lines of 2 axes, arcs), dda (lines, \
-             arcs) and brm (lines, without --smooth)"
-                .into(),
-        )),
+        (_, Curve::Helix { .. }) => Err(no_table()),
     }
 }
 
+/// What is not shown step by step.
+fn no_table() -> Failure {
+    Failure::Usage("there is no table of helices and of --smooth: pulses serves them".into())
+}
+
+/// A line of any number of axes.
 fn line<const N: usize>(
     to: [i32; N],
     method: &Method,
@@ -122,11 +122,91 @@ fn line<const N: usize>(
             let machine = core::dda::Line::new(to, register, preset, normalize).map_err(write)?;
             print(&dda::LineTable { machine }, arguments)
         }
-        _ => {
+        Method::Brm { smoothing: 0 } => {
             let bits = bits.unwrap_or_else(|| Register::holding(Radix::Binary, largest).digits());
             let machine = core::brm::Line::new(to, bits).map_err(write)?;
             print(&brm::LineTable { machine }, arguments)
         }
+        Method::MinDeviation => {
+            let machine = core::minimum_deviation::Line::new(to).map_err(write)?;
+            print(&StepTable { machine }, arguments)
+        }
+        Method::Ppc { .. } => {
+            let machine = core::ppc::SpaceLine::new(to).map_err(write)?;
+            print(&StepTable { machine }, arguments)
+        }
+        _ => Err(no_table()),
+    }
+}
+
+fn arc(
+    from: [i32; 2],
+    to: [i32; 2],
+    direction: Direction,
+    method: &Method,
+    arguments: &TableArguments,
+) -> Result<(), Failure> {
+    let write = |why: Error| Refusal::from(why).usage();
+    let register = |needed: Result<u32, Error>| {
+        let bits = arguments.curve.options.bits.map_or(needed, Ok).map_err(write)?;
+        Register::new(Radix::Binary, bits).map_err(write)
+    };
+    match *method {
+        Method::Ppc { end_rule } => {
+            let machine = core::ppc::Arc::new(from, to, direction, end_rule).map_err(write)?;
+            print(&ppc::ArcTable { machine }, arguments)
+        }
+        Method::Dda { preset, normalize, update: UpdateName::Simultaneous, .. } => {
+            let register = register(core::dda::Arc::bits(from, to, direction))?;
+            let preset = preset.unwrap_or_default();
+            let machine = core::dda::Arc::new(from, to, direction, register, preset, normalize);
+            print(&dda::ArcTable { machine: machine.map_err(write)? }, arguments)
+        }
+        Method::Dda { normalize, update: UpdateName::Staggered, .. } => {
+            let register = register(core::dda::CentredArc::bits(from, to, direction))?;
+            let machine = core::dda::CentredArc::new(from, to, direction, register, normalize);
+            print(&dda::CentredArcTable { machine: machine.map_err(write)? }, arguments)
+        }
+        Method::MinDeviation => {
+            let machine = core::minimum_deviation::Arc::new(from, to, direction).map_err(write)?;
+            print(&StepTable { machine }, arguments)
+        }
+        Method::Vector => {
+            let machine = core::vector::Arc::new(from, to, direction).map_err(write)?;
+            print(&StepTable { machine }, arguments)
+        }
+        Method::CompareIntegral => {
+            let machine = core::comparison::Arc::new(from, to, direction).map_err(write)?;
+            print(&StepTable { machine }, arguments)
+        }
+        Method::Brm { .. } => Err(LINES_ONLY.usage()),
+    }
+}
+
+fn parabola(
+    shape: core::parabola::Shape,
+    method: &Method,
+    arguments: &TableArguments,
+) -> Result<(), Failure> {
+    let write = |why: Error| Refusal::from(why).usage();
+    match *method {
+        Method::Ppc { .. } => {
+            let machine = core::parabola::Ppc::new(shape).map_err(write)?;
+            print(&StepTable { machine }, arguments)
+        }
+        Method::MinDeviation => {
+            let machine = core::parabola::MinimumDeviation::new(shape).map_err(write)?;
+            print(&StepTable { machine }, arguments)
+        }
+        Method::Dda { radix, preset, .. } => {
+            let bits = arguments.curve.options.bits;
+            let bits = bits.unwrap_or_else(|| core::parabola::Dda::bits(&shape));
+            let register = Register::new(radix, bits).map_err(write)?;
+            let preset = preset.unwrap_or_default();
+            let machine = core::parabola::Dda::new(shape, register, preset).map_err(write)?;
+            print(&dda::ParabolaTable { machine }, arguments)
+        }
+        _ => Err(NO_PARABOLA.usage()),
     }
 }
 
