@@ -41,7 +41,9 @@ fn remade(page: &str) -> (String, usize) {
             outputs += 1;
             push(lines.next_if_eq(&"").unwrap());
             let fence = lines.next_if_eq(&"```text");
-            while lines.next_if(|line| !line.is_empty() && *line != "```").is_some() {}
+            // A table ends with an empty line; text in a fence may have some.
+            let last = if fence.is_some() { "```" } else { "" };
+            while lines.next_if(|line| *line != last).is_some() {}
             if let Some(fence) = fence {
                 push(fence);
             }
