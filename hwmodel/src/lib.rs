@@ -13,6 +13,7 @@
 //! | [`dda::CentredArc`] | 4: add and move, x and y | [`onepulse_core::dda::CentredArc`] |
 //! | [`ppc::Line`], [`ppc::Arc`] | 4, one a beat | [`onepulse_core::ppc`] |
 //! | [`brm::Line`] | 1 | [`onepulse_core::brm::Line`] |
+//! | [`comparison::Line`] | 1 | [`onepulse_core::comparison::Line`] |
 //! | [`minimum_deviation::Line`] | 1 | [`onepulse_core::minimum_deviation::Line`] |
 //!
 //! [`interpolator::Interpolator`] is the whole machine: the engines of the first three methods behind a decoder and a [`Fifo`] of
@@ -35,6 +36,7 @@
 
 pub mod brm;
 mod circuit;
+pub mod comparison;
 pub mod dda;
 mod fifo;
 pub mod interpolator;

@@ -5,9 +5,10 @@
 use onepulse_core::dda::{Preset, Radix, Register};
 use onepulse_core::{Direction, EndRule, Error, Pulse};
 use onepulse_core::{
-    brm as soft_brm, dda as soft_dda, minimum_deviation as soft_minimum_deviation, ppc as soft_ppc,
+    brm as soft_brm, comparison as soft_comparison, dda as soft_dda,
+    minimum_deviation as soft_minimum_deviation, ppc as soft_ppc,
 };
-use onepulse_hwmodel::{Circuit, brm, dda, minimum_deviation, ppc};
+use onepulse_hwmodel::{Circuit, brm, comparison, dda, minimum_deviation, ppc};
 use proptest::prelude::*;
 use std::fmt::Debug;
 
@@ -60,6 +61,14 @@ fn minimum_deviation_line<const AXES: usize>(end: [i32; AXES], bits: u32) {
     );
 }
 
+fn comparison_line(end: [i32; 2], bits: u32) {
+    assert_equal(
+        soft_comparison::Line::new(end),
+        comparison::Line::new(end, bits),
+        ("comparison line", end, bits),
+    );
+}
+
 fn arcs(start: [i32; 2], end: [i32; 2], direction: Direction, bits: u32) {
     for normalize in [false, true] {
         for preset in PRESETS {
@@ -108,6 +117,7 @@ fn every_line_of_up_to_6_bits() {
                 ("brm line", end, bits),
             );
             minimum_deviation_line(end, bits);
+            comparison_line(end, bits);
             for rule in RULES {
                 assert_equal(
                     soft_ppc::Line::new(end, rule),
@@ -180,9 +190,11 @@ fn a_line_that_the_registers_do_not_hold_is_refused() {
     let error = |needed| Some(Error::RegisterTooNarrow { digits: 4, needed });
     for (end, needed) in [([16, 0], 5), ([0, -31], 5), ([i32::MIN, 3], 32)] {
         assert_eq!(minimum_deviation::Line::new(end, 4).err(), error(needed));
+        assert_eq!(comparison::Line::new(end, 4).err(), error(needed));
     }
     for bits in [0, 33] {
         assert!(minimum_deviation::Line::new([1, 1], bits).is_err());
+        assert!(comparison::Line::new([1, 1], bits).is_err());
     }
 }
 
@@ -215,6 +227,7 @@ proptest! {
             (end, bits),
         );
         minimum_deviation_line(end, bits);
+        comparison_line(end, bits);
     }
 
     #[test]
@@ -269,6 +282,9 @@ proptest! {
         let soft = soft_ppc::Line::new(end, EndRule::Total).unwrap();
         let hard = ppc::Line::new(end, 32, EndRule::Total).unwrap();
         prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
+        let soft = soft_comparison::Line::new(end).unwrap();
+        let hard = comparison::Line::new(end, bits - 1).unwrap();
+        prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
         let soft = soft_minimum_deviation::Line::new(end).unwrap();
         let hard = minimum_deviation::Line::new(end, bits - 1).unwrap();
         prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
@@ -279,6 +295,10 @@ proptest! {
         const CYCLES: usize = 5000;
         let soft = soft_minimum_deviation::Line::new(end).unwrap();
         let hard = minimum_deviation::Line::new(end, 32).unwrap();
+        prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
+        let end = [end[0], end[1]];
+        let soft = soft_comparison::Line::new(end).unwrap();
+        let hard = comparison::Line::new(end, 32).unwrap();
         prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
     }
 }

@@ -6,7 +6,7 @@ use onepulse_core::{Direction, EndRule};
 use onepulse_hwmodel::trace::{
     Bench, Clock, Fst, Kind, Probe, SignalList, Tracer, Vcd, Wave, gtkw, sucl,
 };
-use onepulse_hwmodel::{Circuit, brm, dda, minimum_deviation, ppc};
+use onepulse_hwmodel::{Circuit, brm, comparison, dda, minimum_deviation, ppc};
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{BufReader, BufWriter};
@@ -231,6 +231,7 @@ fn every_circuit_is_traced_faithfully() {
     assert_faithful(&ppc::Line::new([-9, 4], 5, EndRule::PerAxis).unwrap());
     assert_faithful(&ppc::Arc::new(full, full, Direction::Ccw, 5, EndRule::Larger).unwrap());
     assert_faithful(&brm::Line::new([10, -6], 4).unwrap());
+    assert_faithful(&comparison::Line::new([-9, 15], 4).unwrap());
     assert_faithful(&minimum_deviation::Line::new([-9, 4, 13], 4).unwrap());
 }
 

@@ -33,7 +33,7 @@ impl Options {
 }
 
 /// The modules with properties.
-const MODULES: [&str; 11] = [
+const MODULES: [&str; 12] = [
     "dda_line",
     "dda_arc",
     "dda_centred_arc",
@@ -41,6 +41,7 @@ const MODULES: [&str; 11] = [
     "ppc_arc",
     "brm_line",
     "minimum_deviation_line",
+    "comparison_line",
     "step_dir",
     "command_fifo",
     "pulse_source",
@@ -107,6 +108,9 @@ const MUTANTS: &[(&str, Mutant)] = &[
         "run = i_en & ~o_done",
         "run = i_en",
     ),
+    mutant("comparison_line", "comparison_line.v", "o_d[N+1] | o_d == 0", "o_d[N+1]"),
+    mutant("comparison_line", "comparison_line.v", "o_jex == 0 & o_jey", "o_jey"),
+    mutant("comparison_line", "comparison_line.v", "+ later_x - later_y", "+ later_x"),
     mutant("step_dir", "step_dir.v", "o_step ? i_space : i_length", "i_space"),
     mutant("step_dir", "step_dir.v", "o_step ? i_hold : i_setup", "i_setup"),
     mutant("step_dir", "step_dir.v", "waits & agrees & timer_is_out", "waits & agrees"),

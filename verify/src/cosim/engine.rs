@@ -14,10 +14,11 @@ pub(super) enum Engine {
     BrmLine,
     MinimumDeviationLine,
     MinimumDeviationLine4,
+    ComparisonLine,
 }
 
 impl Engine {
-    pub(super) const ALL: [Self; 9] = [
+    pub(super) const ALL: [Self; 10] = [
         Self::DdaLine,
         Self::DdaLine4,
         Self::DdaArc,
@@ -27,6 +28,7 @@ impl Engine {
         Self::BrmLine,
         Self::MinimumDeviationLine,
         Self::MinimumDeviationLine4,
+        Self::ComparisonLine,
     ];
 
     /// The Verilog module.
@@ -39,6 +41,7 @@ impl Engine {
             Self::PpcArc => "ppc_arc",
             Self::BrmLine => "brm_line",
             Self::MinimumDeviationLine | Self::MinimumDeviationLine4 => "minimum_deviation_line",
+            Self::ComparisonLine => "comparison_line",
         }
     }
 
@@ -56,6 +59,7 @@ impl Engine {
             Self::DdaLine | Self::DdaLine4 | Self::BrmLine => true,
             Self::MinimumDeviationLine | Self::MinimumDeviationLine4 => true,
             Self::DdaArc | Self::DdaCentredArc | Self::PpcLine | Self::PpcArc => false,
+            Self::ComparisonLine => false,
         }
     }
 
@@ -114,6 +118,10 @@ impl Engine {
                 let names = ["i_x", "i_y", "i_jrx", "i_jry", "i_unit"];
                 inputs.extend(names.map(|name| whole(name, n)));
                 inputs.extend(sweep);
+            }
+            Self::ComparisonLine => {
+                inputs.extend(["i_end_x", "i_end_y"].map(|name| whole(name, n)));
+                inputs.extend([whole("i_d", n + 2), whole("i_negative", 2)]);
             }
             Self::PpcLine => {
                 inputs.extend(["i_end_x", "i_end_y"].map(|name| whole(name, n)));
@@ -207,6 +215,15 @@ impl Engine {
                     outputs.push(whole(signal, port, n));
                 }
                 outputs.extend(sweep());
+            }
+            Self::ComparisonLine => {
+                outputs.push(whole("d", "o_d", n + 2));
+                for (signal, port) in
+                    [("end_x", "o_end_x"), ("end_y", "o_end_y"), ("jex", "o_jex"), ("jey", "o_jey")]
+                {
+                    outputs.push(whole(signal, port, n));
+                }
+                outputs.extend(signs(2));
             }
             Self::PpcLine => {
                 outputs.push(whole("beat", "o_beat", 2));

@@ -121,6 +121,14 @@ const MUTANTS: &[(Twin, Mutant)] = &[
         "run = i_en & ~o_done",
         "run = i_en",
     ),
+    mutant(engine(Engine::ComparisonLine), "comparison_line.v", "o_d[N+1] | o_d == 0", "o_d[N+1]"),
+    mutant(
+        engine(Engine::ComparisonLine),
+        "comparison_line.v",
+        "o_end_x & {N{feeds_y}}",
+        "o_end_x & {N{~feeds_x}}",
+    ),
+    mutant(engine(Engine::ComparisonLine), "comparison_line.v", "o_jex == 0 & o_jey", "o_jey"),
     mutant(MACHINE, "command_decoder.v", "i_valid & o_ready", "i_valid"),
     mutant(MACHINE, "command_decoder.v", "(cw ? nx | zx : nx)", "nx"),
     mutant(MACHINE, "command_decoder.v", "(cw ? nx : nx | zx)", "nx"),
@@ -217,6 +225,7 @@ fn twin_of(file: &str) -> Twin {
         "ppc_line.v" => engine(Engine::PpcLine),
         "ppc_arc.v" => engine(Engine::PpcArc),
         "brm_line.v" => engine(Engine::BrmLine),
+        "comparison_line.v" => engine(Engine::ComparisonLine),
         "minimum_deviation_line.v" => engine(Engine::MinimumDeviationLine),
         _ => MACHINE,
     }

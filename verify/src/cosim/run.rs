@@ -57,6 +57,7 @@ impl Plan<'_> {
             Engine::PpcLine => self.run_with(bench, stimulus::ppc_line),
             Engine::PpcArc => self.run_with(bench, stimulus::ppc_arc),
             Engine::BrmLine => self.run_with(bench, stimulus::brm_line),
+            Engine::ComparisonLine => self.run_with(bench, stimulus::comparison_line),
             Engine::MinimumDeviationLine => {
                 self.run_with(bench, stimulus::minimum_deviation_line::<2>)
             }

@@ -5,7 +5,7 @@ use super::reading::Registers;
 use fastrand::Rng;
 use onepulse_core::dda::{self as software, Preset, Radix, Register};
 use onepulse_core::{Direction, EndRule, ppc as software_ppc};
-use onepulse_hwmodel::{brm, dda, minimum_deviation, ppc};
+use onepulse_hwmodel::{brm, comparison, dda, minimum_deviation, ppc};
 
 /// A command.
 #[derive(Debug)]
@@ -37,6 +37,15 @@ pub(super) fn brm_line(choice: &mut Rng, bits: u32) -> Option<Command<brm::Line>
     let circuit = brm::Line::new(end, bits).ok()?;
     let registers = Registers::of(&circuit);
     let words = vec![registers.get("value_x"), registers.get("value_y"), signs(end)];
+    Some(Command { what: format!("{end:?}"), circuit, words })
+}
+
+pub(super) fn comparison_line(choice: &mut Rng, bits: u32) -> Option<Command<comparison::Line>> {
+    let end = [0; 2].map(|_| coordinate(choice, bits));
+    let circuit = comparison::Line::new(end, bits).ok()?;
+    let registers = Registers::of(&circuit);
+    let mut words = ["end_x", "end_y", "d"].map(|name| registers.get(name)).to_vec();
+    words.push(signs(end));
     Some(Command { what: format!("{end:?}"), circuit, words })
 }
 
