@@ -33,6 +33,8 @@ pub enum Error {
     NormalizationNeedsBinary,
     /// Arcs are integrated in binary registers.
     ArcNeedsBinary,
+    /// Limits of a ramp with which an axis could not start, or not keep them.
+    RampLimits,
     /// A parabola y² = 2px with p = 0 is no curve.
     NoParameter,
     /// The end point lies on the side of the vertex to which the parabola does not open.
@@ -67,6 +69,10 @@ impl fmt::Display for Error {
             Self::NormalizationNeedsBinary => {
                 f.write_str("left-shift normalization is defined on binary registers: use radix 2")
             }
+            Self::RampLimits => f.write_str(
+                "a ramp needs a start speed and an acceleration of 1 or more, and a largest speed that is \
+                 neither below these nor 2^n or more",
+            ),
             Self::ArcNeedsBinary => {
                 f.write_str("arcs are integrated in binary registers: use radix 2")
             }

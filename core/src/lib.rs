@@ -15,6 +15,7 @@
 //! | [`vector`] | vector discrimination (矢量判别法) | line, arc |
 //! | [`comparison`] | comparison integration (比较积分法) | line, arc |
 //! | [`Helix`] | comparison in a plane, digital integration across it | helix |
+//! | [`ramp`] | acceleration of an open loop | one axis |
 //! | [`parabola`] | point-by-point comparison, minimum deviation, digital integration | parabola |
 //!
 //! ```
@@ -43,6 +44,7 @@ pub mod parabola;
 pub mod ppc;
 mod pulse;
 mod quadrant;
+pub mod ramp;
 mod sweep;
 pub mod vector;
 mod walk;

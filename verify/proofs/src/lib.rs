@@ -31,6 +31,7 @@ mod ppc_arc;
 mod ppc_line;
 mod product;
 mod quadrant_walk;
+mod ramp_trapezoid;
 mod same;
 mod space_line;
 mod vector_arc;
