@@ -34,6 +34,7 @@
 #![no_std]
 
 pub mod brm;
+pub mod circle;
 pub mod comparison;
 pub mod dda;
 mod end_rule;

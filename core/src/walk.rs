@@ -1,5 +1,6 @@
 //! The way round a circle, step by step: what all machines that judge F share.
 
+use crate::circle::Due;
 use crate::pulse::signed;
 use crate::{Axis, Feed, Feeds, Pulse, Sweep};
 
@@ -19,14 +20,6 @@ pub struct Walk {
     /// The pulse of each.
     pulse: [Pulse; 2],
     sweep: Sweep,
-}
-
-/// What a method feeds where F decides: the motion towards zero, the one away from it, or both.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Due {
-    Towards,
-    Away,
-    Both,
 }
 
 /// The places of the two motions in the arrays of a walk.
@@ -181,7 +174,8 @@ impl Walk {
     /// The magnitudes of the coordinate that is fed towards zero in this quadrant, and of the one
     /// that is fed away from it.
     #[inline]
-    pub(crate) const fn magnitudes(&self) -> [i64; 2] {
+    #[must_use]
+    pub const fn magnitudes(&self) -> [i64; 2] {
         self.point
     }
 

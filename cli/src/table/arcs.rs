@@ -44,7 +44,10 @@ impl Judges for comparison::Arc {
     }
 
     fn freely_judged(&self, step: u64) -> String {
-        let (f, level) = (self.walk().deviation_function(), self.level());
+        let (f, level) = (
+            self.walk().deviation_function(),
+            comparison::Interval::level(self.walk().magnitudes()),
+        );
         let sign = match f.cmp(&level) {
             std::cmp::Ordering::Less => "<",
             std::cmp::Ordering::Equal => "=",

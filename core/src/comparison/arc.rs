@@ -1,7 +1,7 @@
 //! Circular arc by comparison integration.
 
-use crate::walk::{Due, Walk};
-use crate::{Direction, Error, Pulse, Sweep};
+use crate::circle::{self, Due, Judgement};
+use core::cmp::Ordering;
 
 /// An arc about the origin, any sweep up to a full turn.
 ///
@@ -22,102 +22,33 @@ use crate::{Direction, Error, Pulse, Sweep};
 /// assert_eq!(arc.count(), 9); // (4,3) is level: both axes go on to (3,4) together
 /// # Ok::<(), onepulse_core::Error>(())
 /// ```
+pub type Arc = circle::Arc<Interval>;
+
+/// The axis is due of which the pulse is due first; |F| ≤ |x| + |y|.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Arc {
-    walk: Walk,
+pub struct Interval;
+
+impl Interval {
+    /// The F at which the next pulses of both axes are due together, t − a − 1, from the magnitudes of
+    /// the coordinate that is fed towards zero and of the one that is fed away from it.
+    #[inline]
+    #[must_use]
+    pub const fn level([towards, away]: [i64; 2]) -> i64 {
+        towards - away - 1
+    }
 }
 
-impl Arc {
-    /// The arc from `start` to `end`; equal ends mean a full circle.
-    ///
-    /// # Errors
-    /// As [`Sweep::new`].
-    pub fn new(start: [i32; 2], end: [i32; 2], direction: Direction) -> Result<Self, Error> {
-        Ok(Self { walk: Walk::new(Sweep::new(start, end, direction)?, start) })
-    }
-
-    /// The arc from `start` along a sweep that begins there: [`Arc::new`] without its roots.
-    #[cfg(feature = "proofs")]
-    #[must_use]
-    pub fn along_given(sweep: Sweep, start: [i32; 2]) -> Self {
-        Self { walk: Walk::new(sweep, start) }
-    }
-
-    /// The arc at this place, reachable or not.
-    #[cfg(feature = "proofs")]
-    #[must_use]
-    pub const fn in_state(walk: Walk) -> Self {
-        Self { walk }
-    }
-
-    /// One step; `None` at the end point.
+impl Judgement for Interval {
     #[inline]
-    pub fn step(&mut self) -> Option<Pulse> {
-        if self.is_done() {
-            return None;
+    fn due(f: i64, [towards, away]: [i64; 2]) -> Due {
+        match f.cmp(&Self::level([towards, away])) {
+            Ordering::Greater => Due::Towards,
+            Ordering::Less => Due::Away,
+            Ordering::Equal => Due::Both,
         }
-        let pulse = self.walk.step(judge);
-        debug_assert!(self.invariant());
-        Some(pulse)
     }
 
-    /// The F at which the next pulses of both axes are due together: t − a − 1.
-    #[must_use]
-    pub const fn level(&self) -> i64 {
-        level(self.walk.magnitudes())
-    }
-
-    /// The place on the circle.
-    #[must_use]
-    pub const fn walk(&self) -> &Walk {
-        &self.walk
-    }
-
-    /// Whether the end point is reached.
-    #[inline]
-    #[must_use]
-    pub const fn is_done(&self) -> bool {
-        self.walk.is_at_end()
-    }
-
-    /// What always holds: while F decides, |F| ≤ |x| + |y|, and the coordinate that is fed towards
-    /// zero has not come there yet; where a pulse takes it there from the other axis (R² ≤ 2), the
-    /// circle lies outside.
-    #[must_use]
-    pub fn invariant(&self) -> bool {
-        let [towards, away] = self.walk.magnitudes();
-        let f = self.walk.deviation_function();
-        self.walk.invariant()
-            && (!self.walk.is_free()
-                || (-(towards + away) <= f && f <= towards + away)
-                    && towards > 0
-                    && (towards > 1 || away > 0 || f <= 0))
-    }
-}
-
-/// The axis whose pulse is due first.
-#[inline]
-const fn judge(f: i64, [towards, away]: [i64; 2]) -> Due {
-    let lead = f - level([towards, away]);
-    if lead > 0 {
-        Due::Towards
-    } else if lead < 0 {
-        Due::Away
-    } else {
-        Due::Both
-    }
-}
-
-#[inline]
-const fn level([towards, away]: [i64; 2]) -> i64 {
-    towards - away - 1
-}
-
-impl Iterator for Arc {
-    type Item = Pulse;
-
-    #[inline]
-    fn next(&mut self) -> Option<Pulse> {
-        self.step()
+    fn is_within(f: i64, [towards, away]: [i64; 2]) -> bool {
+        f.abs() <= towards + away
     }
 }

@@ -7,5 +7,5 @@
 mod arc;
 mod line;
 
-pub use arc::Arc;
+pub use arc::{Arc, Nearest};
 pub use line::Line;

@@ -12,5 +12,5 @@
 mod arc;
 mod line;
 
-pub use arc::Arc;
+pub use arc::{Arc, Octant};
 pub use line::Line;

@@ -3,70 +3,34 @@
 
 use crate::any::{any_direction, any_sweep};
 use crate::product::square;
+use onepulse_core::circle::{Arc, Judgement};
 use onepulse_core::{Pulse, Sweep, Walk};
-
-/// An arc of such a method.
-pub(crate) trait Arc: Copy {
-    fn along_given(sweep: Sweep, start: [i32; 2]) -> Self;
-    fn in_state(walk: Walk) -> Self;
-    fn step(&mut self) -> Option<Pulse>;
-    fn walk(&self) -> &Walk;
-    fn is_done(&self) -> bool;
-    fn invariant(&self) -> bool;
-}
-
-/// The harnesses call the machine by its own functions.
-macro_rules! arc {
-    ($machine:ty) => {
-        impl crate::circle_walk::Arc for $machine {
-            fn along_given(sweep: onepulse_core::Sweep, start: [i32; 2]) -> Self {
-                <$machine>::along_given(sweep, start)
-            }
-            fn in_state(walk: onepulse_core::Walk) -> Self {
-                <$machine>::in_state(walk)
-            }
-            fn step(&mut self) -> Option<onepulse_core::Pulse> {
-                <$machine>::step(self)
-            }
-            fn walk(&self) -> &onepulse_core::Walk {
-                <$machine>::walk(self)
-            }
-            fn is_done(&self) -> bool {
-                <$machine>::is_done(self)
-            }
-            fn invariant(&self) -> bool {
-                <$machine>::invariant(self)
-            }
-        }
-    };
-}
-pub(crate) use arc;
 
 /// Any state that satisfies the invariant: F = x² + y² − R², whatever R² from 1 on. That no coordinate
 /// exceeds 2³¹ follows from it (lemma `coordinates_fit` in `verify/lemmas/circle_walk.smt2`).
 #[inline(always)]
-pub(crate) fn any_state<A: Arc>() -> A {
+pub(crate) fn any_state<J: Judgement>() -> Arc<J> {
     let sweep = any_sweep();
     let point: [u32; 2] = kani::any();
     kani::assume(point[0] <= 1 << 31 && point[1] <= 1 << 31);
     let [towards, away] = point.map(square);
     let radius_squared = kani::any_where(|square: &i64| 1 <= *square && *square < 1 << 62);
     let f = towards - radius_squared + away;
-    let arc = A::in_state(Walk::in_state(sweep, f, point.map(i64::from)));
+    let arc = Arc::<J>::in_state(Walk::in_state(sweep, f, point.map(i64::from)));
     kani::assume(arc.invariant());
     arc
 }
 
 /// From every start that has a circle to every end that has a direction.
 #[inline(always)]
-pub(crate) fn new_establishes_invariant<A: Arc>() -> A {
+pub(crate) fn new_establishes_invariant<J: Judgement>() -> Arc<J> {
     let (start, end): ([i32; 2], [i32; 2]) = (kani::any(), kani::any());
     let direction = any_direction();
     let Ok(sweep) = Sweep::with_given_roots(start, end, direction, 1, 1) else {
         kani::assume(false);
         unreachable!("the centre is no start and no end");
     };
-    let arc = A::along_given(sweep, start);
+    let arc = Arc::<J>::along_given(sweep, start);
     assert!(arc.invariant());
     assert!(arc.walk().deviation_function() == 0);
     let at = arc.walk().position();
@@ -77,7 +41,7 @@ pub(crate) fn new_establishes_invariant<A: Arc>() -> A {
 /// A step moves one axis or both by a pulse each, and F follows: a pulse of sign s on coordinate c
 /// changes it by 2sc + 1. The pulses are the answer.
 #[inline(always)]
-pub(crate) fn step_follows_deviation<A: Arc>(arc: &mut A) -> Option<Pulse> {
+pub(crate) fn step_follows_deviation<J: Judgement + Copy>(arc: &mut Arc<J>) -> Option<Pulse> {
     let before = *arc;
     let at = before.walk().position();
     let Some(pulse) = arc.step() else {
@@ -102,7 +66,7 @@ pub(crate) fn step_follows_deviation<A: Arc>(arc: &mut A) -> Option<Pulse> {
 /// while both go on, what is fed towards zero shrinks or what is fed away from it grows, and then the
 /// pulses to the end point get fewer. All of it has a least value.
 #[inline(always)]
-pub(crate) fn step_makes_progress<A: Arc>(arc: &mut A) -> bool {
+pub(crate) fn step_makes_progress<J: Judgement + Copy>(arc: &mut Arc<J>) -> bool {
     let before = distance(arc.walk());
     if arc.step().is_none() {
         return false;
@@ -133,7 +97,7 @@ fn distance(walk: &Walk) -> [u64; 3] {
 
 /// At the end of its way an arc is on its end point, on or off the circle.
 #[inline(always)]
-pub(crate) fn done_means_end_point<A: Arc>(arc: &A) -> bool {
+pub(crate) fn done_means_end_point<J: Judgement>(arc: &Arc<J>) -> bool {
     let [x, y] = arc.walk().residual();
     let (end, at) = (arc.walk().sweep().end(), arc.walk().position());
     assert!(x == end[0] - at[0] && y == end[1] - at[1]);
@@ -151,7 +115,7 @@ pub(crate) fn magnitudes(walk: &Walk) -> [i64; 2] {
 
 /// Makes a step of an arc that is not at its end, and tells which of these two it feeds.
 #[inline(always)]
-pub(crate) fn fed<A: Arc>(arc: &mut A) -> [bool; 2] {
+pub(crate) fn fed<J: Judgement + Copy>(arc: &mut Arc<J>) -> [bool; 2] {
     let feeds = arc.walk().sweep().feeds();
     match arc.step() {
         Some(Pulse(pulse)) => [feeds.towards.axis.of(pulse) != 0, feeds.away.axis.of(pulse) != 0],

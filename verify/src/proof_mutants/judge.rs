@@ -26,7 +26,7 @@ pub(super) struct Judge {
 }
 
 /// The files of the machines, and the modules of the harnesses that run each.
-pub(super) const FILES: [(&str, &[&str]); 16] = [
+pub(super) const FILES: [(&str, &[&str]); 17] = [
     ("core/src/ppc/line.rs", &["ppc_line"]),
     ("core/src/ppc/arc.rs", &["ppc_arc"]),
     ("core/src/dda/line.rs", &["dda_line"]),
@@ -39,6 +39,7 @@ pub(super) const FILES: [(&str, &[&str]); 16] = [
     ("core/src/vector/arc.rs", &["vector_arc"]),
     ("core/src/comparison/line.rs", &["comparison_line"]),
     ("core/src/comparison/arc.rs", &["comparison_arc"]),
+    ("core/src/circle.rs", &["minimum_deviation_arc", "vector_arc", "comparison_arc"]),
     ("core/src/walk.rs", &["ppc_arc", "minimum_deviation_arc", "vector_arc", "comparison_arc"]),
     ("core/src/ramp/trapezoid.rs", &["ramp_trapezoid"]),
     ("core/src/sweep.rs", &["ppc_arc", "dda_arc", "centred_arc"]),
