@@ -14,7 +14,9 @@
 //! | [`ppc::Line`], [`ppc::Arc`] | 4, one a beat | [`onepulse_core::ppc`] |
 //! | [`brm::Line`] | 1 | [`onepulse_core::brm::Line`] |
 //! | [`comparison::Line`] | 1 | [`onepulse_core::comparison::Line`] |
+//! | [`comparison::Arc`] | 2: judge, move | [`onepulse_core::comparison::Arc`] |
 //! | [`minimum_deviation::Line`] | 1 | [`onepulse_core::minimum_deviation::Line`] |
+//! | [`minimum_deviation::Arc`] | 2: judge, move | [`onepulse_core::minimum_deviation::Arc`] |
 //!
 //! [`interpolator::Interpolator`] is the whole machine: the engines of the first three methods behind a decoder and a [`Fifo`] of
 //! commands, with a pulse source for the feed, and with a [`StepDir`] for each axis' drive.
@@ -47,6 +49,7 @@ mod step_dir;
 mod sweep;
 #[cfg(feature = "waves")]
 pub mod trace;
+mod walk;
 mod word;
 
 pub use circuit::{Circuit, Cycles};

@@ -85,6 +85,23 @@ fn arcs(start: [i32; 2], end: [i32; 2], direction: Direction, bits: u32) {
         );
     }
     ppc_arc(start, end, direction);
+    nearest_arcs(start, end, direction);
+}
+
+/// The arcs that move one axis or both.
+fn nearest_arcs(start: [i32; 2], end: [i32; 2], direction: Direction) {
+    let narrowest = comparison::Arc::bits(start, end, direction).unwrap_or(32);
+    assert_equal(
+        soft_comparison::Arc::new(start, end, direction),
+        comparison::Arc::new(start, end, direction, narrowest),
+        ("comparison arc", start, end, direction),
+    );
+    let narrowest = minimum_deviation::Arc::bits(start, end, direction).unwrap_or(32);
+    assert_equal(
+        soft_minimum_deviation::Arc::new(start, end, direction),
+        minimum_deviation::Arc::new(start, end, direction, narrowest),
+        ("minimum deviation arc", start, end, direction),
+    );
 }
 
 fn ppc_arc(start: [i32; 2], end: [i32; 2], direction: Direction) {
@@ -145,6 +162,18 @@ fn every_arc_between_lattice_points_of_up_to_6_bits() {
                         arcs(start, end, direction, bits);
                     }
                 }
+            }
+        }
+    }
+}
+
+/// From every point and to every point, on the circle or off it.
+#[test]
+fn every_small_arc_that_moves_one_axis_or_both() {
+    for start in points(5) {
+        for end in points(7) {
+            for direction in DIRECTIONS {
+                nearest_arcs(start, end, direction);
             }
         }
     }
@@ -277,6 +306,16 @@ proptest! {
         }
         let soft = soft_ppc::Arc::new(start, end, direction, EndRule::Total);
         if let (Ok(soft), Ok(hard)) = (soft, ppc::Arc::new(start, end, direction, 32, EndRule::Total)) {
+            prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
+        }
+        let soft = soft_comparison::Arc::new(start, end, direction);
+        let narrowest = comparison::Arc::bits(start, end, direction).unwrap_or(32);
+        if let (Ok(soft), Ok(hard)) = (soft, comparison::Arc::new(start, end, direction, narrowest)) {
+            prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
+        }
+        let soft = soft_minimum_deviation::Arc::new(start, end, direction);
+        let hard = minimum_deviation::Arc::new(start, end, direction, narrowest);
+        if let (Ok(soft), Ok(hard)) = (soft, hard) {
             prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
         }
         let soft = soft_ppc::Line::new(end, EndRule::Total).unwrap();

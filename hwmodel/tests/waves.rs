@@ -231,6 +231,8 @@ fn every_circuit_is_traced_faithfully() {
     assert_faithful(&ppc::Line::new([-9, 4], 5, EndRule::PerAxis).unwrap());
     assert_faithful(&ppc::Arc::new(full, full, Direction::Ccw, 5, EndRule::Larger).unwrap());
     assert_faithful(&brm::Line::new([10, -6], 4).unwrap());
+    assert_faithful(&comparison::Arc::new(full, [0, 25], Direction::Cw, 5).unwrap());
+    assert_faithful(&minimum_deviation::Arc::new([3, 4], [5, 1], Direction::Ccw, 4).unwrap());
     assert_faithful(&comparison::Line::new([-9, 15], 4).unwrap());
     assert_faithful(&minimum_deviation::Line::new([-9, 4, 13], 4).unwrap());
 }

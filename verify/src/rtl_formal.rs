@@ -33,7 +33,7 @@ impl Options {
 }
 
 /// The modules with properties.
-const MODULES: [&str; 12] = [
+const MODULES: [&str; 14] = [
     "dda_line",
     "dda_arc",
     "dda_centred_arc",
@@ -42,6 +42,8 @@ const MODULES: [&str; 12] = [
     "brm_line",
     "minimum_deviation_line",
     "comparison_line",
+    "comparison_arc",
+    "minimum_deviation_arc",
     "step_dir",
     "command_fifo",
     "pulse_source",
@@ -111,6 +113,16 @@ const MUTANTS: &[(&str, Mutant)] = &[
     mutant("comparison_line", "comparison_line.v", "o_d[N+1] | o_d == 0", "o_d[N+1]"),
     mutant("comparison_line", "comparison_line.v", "o_jex == 0 & o_jey", "o_jey"),
     mutant("comparison_line", "comparison_line.v", "+ later_x - later_y", "+ later_x"),
+    mutant("comparison_arc", "comparison_arc.v", "= level[N+2]", "= ahead[N+2]"),
+    mutant("comparison_arc", "walk.v", "o_towards_is_y ^ crosses", "o_towards_is_y"),
+    mutant("comparison_arc", "walk.v", "~o_stands_x & (o_stands_y |", "(o_stands_y |"),
+    mutant(
+        "minimum_deviation_arc",
+        "minimum_deviation_arc.v",
+        "level - {3'b000, towards} + 1'b1",
+        "level - {3'b000, towards}",
+    ),
+    mutant("minimum_deviation_arc", "walk.v", " + (change_y & {(N+2){moves_y}})", ""),
     mutant("step_dir", "step_dir.v", "o_step ? i_space : i_length", "i_space"),
     mutant("step_dir", "step_dir.v", "o_step ? i_hold : i_setup", "i_setup"),
     mutant("step_dir", "step_dir.v", "waits & agrees & timer_is_out", "waits & agrees"),

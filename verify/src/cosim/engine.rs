@@ -15,10 +15,12 @@ pub(super) enum Engine {
     MinimumDeviationLine,
     MinimumDeviationLine4,
     ComparisonLine,
+    ComparisonArc,
+    MinimumDeviationArc,
 }
 
 impl Engine {
-    pub(super) const ALL: [Self; 10] = [
+    pub(super) const ALL: [Self; 12] = [
         Self::DdaLine,
         Self::DdaLine4,
         Self::DdaArc,
@@ -29,6 +31,8 @@ impl Engine {
         Self::MinimumDeviationLine,
         Self::MinimumDeviationLine4,
         Self::ComparisonLine,
+        Self::ComparisonArc,
+        Self::MinimumDeviationArc,
     ];
 
     /// The Verilog module.
@@ -42,6 +46,8 @@ impl Engine {
             Self::BrmLine => "brm_line",
             Self::MinimumDeviationLine | Self::MinimumDeviationLine4 => "minimum_deviation_line",
             Self::ComparisonLine => "comparison_line",
+            Self::ComparisonArc => "comparison_arc",
+            Self::MinimumDeviationArc => "minimum_deviation_arc",
         }
     }
 
@@ -59,7 +65,7 @@ impl Engine {
             Self::DdaLine | Self::DdaLine4 | Self::BrmLine => true,
             Self::MinimumDeviationLine | Self::MinimumDeviationLine4 => true,
             Self::DdaArc | Self::DdaCentredArc | Self::PpcLine | Self::PpcArc => false,
-            Self::ComparisonLine => false,
+            Self::ComparisonLine | Self::ComparisonArc | Self::MinimumDeviationArc => false,
         }
     }
 
@@ -122,6 +128,10 @@ impl Engine {
             Self::ComparisonLine => {
                 inputs.extend(["i_end_x", "i_end_y"].map(|name| whole(name, n)));
                 inputs.extend([whole("i_d", n + 2), whole("i_negative", 2)]);
+            }
+            Self::ComparisonArc | Self::MinimumDeviationArc => {
+                inputs.extend(["i_cx", "i_cy"].map(|name| whole(name, n)));
+                inputs.extend(sweep);
             }
             Self::PpcLine => {
                 inputs.extend(["i_end_x", "i_end_y"].map(|name| whole(name, n)));
@@ -224,6 +234,17 @@ impl Engine {
                     outputs.push(whole(signal, port, n));
                 }
                 outputs.extend(signs(2));
+            }
+            Self::ComparisonArc | Self::MinimumDeviationArc => {
+                for (signal, port) in
+                    [("beat", "o_beat"), ("due_x", "o_due_x"), ("due_y", "o_due_y")]
+                {
+                    outputs.push(whole(signal, port, 1));
+                }
+                outputs.push(whole("f", "o_f", n + 2));
+                outputs.push(whole("cx", "o_cx", n));
+                outputs.push(whole("cy", "o_cy", n));
+                outputs.extend(sweep());
             }
             Self::PpcLine => {
                 outputs.push(whole("beat", "o_beat", 2));

@@ -58,6 +58,8 @@ impl Plan<'_> {
             Engine::PpcArc => self.run_with(bench, stimulus::ppc_arc),
             Engine::BrmLine => self.run_with(bench, stimulus::brm_line),
             Engine::ComparisonLine => self.run_with(bench, stimulus::comparison_line),
+            Engine::ComparisonArc => self.run_with(bench, stimulus::comparison_arc),
+            Engine::MinimumDeviationArc => self.run_with(bench, stimulus::minimum_deviation_arc),
             Engine::MinimumDeviationLine => {
                 self.run_with(bench, stimulus::minimum_deviation_line::<2>)
             }

@@ -49,6 +49,30 @@ pub(super) fn comparison_line(choice: &mut Rng, bits: u32) -> Option<Command<com
     Some(Command { what: format!("{end:?}"), circuit, words })
 }
 
+pub(super) fn comparison_arc(choice: &mut Rng, bits: u32) -> Option<Command<comparison::Arc>> {
+    let (start, end, direction) = arc(choice, bits);
+    let circuit = comparison::Arc::new(start, end, direction, bits).ok()?;
+    let words = walk(&Registers::of(&circuit), direction);
+    Some(Command { what: format!("{start:?} {end:?} {direction:?}"), circuit, words })
+}
+
+pub(super) fn minimum_deviation_arc(
+    choice: &mut Rng,
+    bits: u32,
+) -> Option<Command<minimum_deviation::Arc>> {
+    let (start, end, direction) = arc(choice, bits);
+    let circuit = minimum_deviation::Arc::new(start, end, direction, bits).ok()?;
+    let words = walk(&Registers::of(&circuit), direction);
+    Some(Command { what: format!("{start:?} {end:?} {direction:?}"), circuit, words })
+}
+
+/// The command of an arc whose F begins at 0.
+fn walk(registers: &Registers, direction: Direction) -> Vec<u64> {
+    let mut words = ["cx", "cy"].map(|name| registers.get(name)).to_vec();
+    words.extend(sweep(registers, direction));
+    words
+}
+
 pub(super) fn minimum_deviation_line<const AXES: usize>(
     choice: &mut Rng,
     bits: u32,
