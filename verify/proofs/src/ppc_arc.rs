@@ -39,7 +39,7 @@ fn any_radius_squared(sweep: &Sweep) -> i64 {
 }
 
 /// Any state that satisfies the invariant.
-fn any_state(rule: EndRule) -> Arc {
+pub(crate) fn any_state(rule: EndRule) -> Arc {
     let sweep = any_sweep();
     let point: [u32; 2] = kani::any();
     kani::assume(point[0] <= 1 << 31 && point[1] <= 1 << 31);
