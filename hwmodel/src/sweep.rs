@@ -43,6 +43,17 @@ struct Looked {
     shrinks: [bool; 2],
 }
 
+impl Looked {
+    /// Whether all agree, but for the end counters' zeros.
+    #[cfg(feature = "proofs")]
+    fn agrees_but_for_ends(&self, other: &Self) -> bool {
+        same(self.stands, other.stands)
+            && self.stepping_out == other.stepping_out
+            && same(self.negative, other.negative)
+            && same(self.shrinks, other.shrinks)
+    }
+}
+
 impl Sweep {
     /// The registers, loaded with the sweep from `start` to `end`, beside coordinates of `bits`
     /// bits.
@@ -125,11 +136,46 @@ impl Sweep {
         self
     }
 
-    /// Whether the registers agree with those of another sweep control, but for what the next look
-    /// writes in any case.
+    /// The same with these end counters, which must fit them.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub const fn with_counters(mut self, je: [i64; 2]) -> Self {
+        self.je = je;
+        self
+    }
+
+    /// The same after a look that saw this.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub const fn with_look(
+        mut self,
+        at_end: [bool; 2],
+        stands: [bool; 2],
+        stepping_out: bool,
+        negative: [bool; 2],
+        shrinks: [bool; 2],
+    ) -> Self {
+        self.looked = Looked { at_end, stands, stepping_out, negative, shrinks };
+        self
+    }
+
+    /// Whether the registers agree with those of another sweep control.
+    #[cfg(feature = "proofs")]
+    pub(crate) fn agrees_with(&self, other: &Self) -> bool {
+        self.agrees_but_for_look(other)
+            && same(self.looked.at_end, other.looked.at_end)
+            && self.looked.agrees_but_for_ends(&other.looked)
+    }
+
+    /// The same, but for what the next look writes in any case.
     #[cfg(feature = "proofs")]
     pub(crate) fn agrees_before_look(&self, other: &Self) -> bool {
-        let (l, r) = (&self.looked, &other.looked);
+        self.agrees_but_for_look(other)
+            && (self.crossings == 0 || self.looked.agrees_but_for_ends(&other.looked))
+    }
+
+    #[cfg(feature = "proofs")]
+    fn agrees_but_for_look(&self, other: &Self) -> bool {
         self.quadrant == other.quadrant
             && self.crossings == other.crossings
             && same(self.je, other.je)
@@ -137,11 +183,6 @@ impl Sweep {
             && same(self.feeds_negative, other.feeds_negative)
             && self.direction == other.direction
             && self.bits == other.bits
-            && (self.crossings == 0
-                || same(l.stands, r.stands)
-                    && l.stepping_out == r.stepping_out
-                    && same(l.negative, r.negative)
-                    && same(l.shrinks, r.shrinks))
     }
 
     /// The registers after a reset.

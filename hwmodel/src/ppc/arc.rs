@@ -2,6 +2,8 @@
 
 use super::{Beat, end::EndCounter};
 use crate::probe::{Kind, Probe};
+#[cfg(feature = "proofs")]
+use crate::word::same;
 use crate::word::{mask, signed, wrap};
 use crate::{Circuit, Sweep};
 use onepulse_core::dda::{Radix, Register};
@@ -73,6 +75,48 @@ impl Arc {
         Self::loaded(c, sweep, EndCounter::new(EndRule::PerAxis, [0; 2]), bits)
     }
 
+    /// The circuit in this state, reachable or not, at the start of a beat.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub const fn in_state(
+        beat: Beat,
+        due: Axis,
+        f: i64,
+        c: [u64; 2],
+        sweep: Sweep,
+        (rule, larger, e): (EndRule, Axis, u64),
+        bits: u32,
+    ) -> Self {
+        let end = EndCounter::in_state(rule, larger, e);
+        Self { registers: Registers { beat, due, f, c, sweep, end }, bits }
+    }
+
+    /// Whether every register agrees with that of another circuit, but before a look for what it will
+    /// see.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn agrees_with(&self, other: &Self) -> bool {
+        let (q, r) = (&self.registers, &other.registers);
+        let sweeps_agree = match q.beat {
+            Beat::Compare => q.sweep.agrees_before_look(&r.sweep),
+            Beat::Judge | Beat::Feed | Beat::Update => q.sweep.agrees_with(&r.sweep),
+        };
+        q.beat == r.beat
+            && q.due == r.due
+            && q.f == r.f
+            && same(q.c, r.c)
+            && sweeps_agree
+            && q.end == r.end
+            && self.bits == other.bits
+    }
+
+    /// The register F.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub const fn deviation_function(&self) -> i64 {
+        self.registers.f
+    }
+
     /// The circuit after a reset.
     pub(crate) fn reset(bits: u32) -> Self {
         let end_counter = EndCounter::new(EndRule::Total, [0; 2]);
@@ -110,18 +154,24 @@ impl Arc {
         }
         let judged = self.judge();
         let q = &mut self.registers;
-        let due = q.due.index();
-        let shrinks = q.sweep.shrinks(due);
+        let is_due = [q.due == Axis::X, q.due == Axis::Y];
+        let shrinks = [q.sweep.shrinks(0), q.sweep.shrinks(1)];
         match q.beat {
             Beat::Judge => q.due = judged,
             Beat::Feed => {
-                q.c[due] = q.c[due].wrapping_sub(u64::from(shrinks)) & mask(self.bits);
+                for axis in 0..2 {
+                    let falls = u64::from(is_due[axis] & shrinks[axis]);
+                    q.c[axis] = q.c[axis].wrapping_sub(falls) & mask(self.bits);
+                }
             }
             Beat::Update => {
-                let change = signed(2 * q.c[due] as i64 + 1, shrinks);
+                let change = signed(2 * q.due.of(q.c) as i64 + 1, q.due.of(shrinks));
                 q.f = wrap(q.f + change, self.bits + 2);
-                q.c[due] = (q.c[due] + u64::from(!shrinks)) & mask(self.bits);
-                q.sweep.count(due, true, q.sweep.is_negative(due));
+                for axis in 0..2 {
+                    let rises = u64::from(is_due[axis] & !shrinks[axis]);
+                    q.c[axis] = (q.c[axis] + rises) & mask(self.bits);
+                    q.sweep.count(axis, is_due[axis], q.sweep.is_negative(axis));
+                }
                 q.end.count(q.due);
             }
             Beat::Compare => q.sweep.look([q.c[0] == 0, q.c[1] == 0]),
@@ -138,7 +188,10 @@ impl Circuit for Arc {
     fn pulses(&self) -> Pulse {
         let q = &self.registers;
         match q.beat {
-            Beat::Feed => Pulse::on(q.due, signed(1, q.sweep.is_negative(q.due.index())) as i8),
+            Beat::Feed => {
+                let negative = q.due.of([q.sweep.is_negative(0), q.sweep.is_negative(1)]);
+                Pulse::on(q.due, signed(1, negative) as i8)
+            }
             Beat::Judge | Beat::Update | Beat::Compare => Pulse::NONE,
         }
     }

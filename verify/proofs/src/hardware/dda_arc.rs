@@ -1,7 +1,7 @@
 //! H1 for the textbook's arc by digital integration: two clocks are one step, at every width up to 32
 //! bits.
 
-use super::integration::{self, holds_end, may_lag, with_any_leftovers};
+use super::sweep_control::{self, holds_end, may_lag, with_any_leftovers};
 use super::{cycle, idle};
 use crate::dda_arc::any_state;
 use crate::same::same;
@@ -23,7 +23,7 @@ fn hardware_dda_arc_clocks_are_a_step() {
     let (at, crossings) = (arc.position(), arc.sweep().crossings_left());
     let lags: bool = kani::any();
     kani::assume(!lags || may_lag(arc.sweep(), at));
-    let sweep = with_any_leftovers(integration::related(arc.sweep(), at, lags, bits));
+    let sweep = with_any_leftovers(sweep_control::related(arc.sweep(), at, lags, bits));
     let mut circuit = related(&arc, sweep, kani::any::<[u32; 2]>().map(u64::from));
     kani::cover!(arc.is_done());
     kani::cover!(lags && crossings == 0);
@@ -37,6 +37,6 @@ fn hardware_dda_arc_clocks_are_a_step() {
     }
     let lags = arc.sweep().crossings_left() < crossings;
     kani::cover!(lags);
-    let sweep = integration::related(arc.sweep(), arc.position(), lags, bits);
+    let sweep = sweep_control::related(arc.sweep(), arc.position(), lags, bits);
     assert!(circuit.agrees_with(&related(&arc, sweep, [0; 2])));
 }

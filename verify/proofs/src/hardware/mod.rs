@@ -7,8 +7,9 @@
 mod brm_line;
 mod dda_arc;
 mod dda_line;
-mod integration;
+mod ppc_arc;
 mod ppc_line;
+mod sweep_control;
 
 use onepulse_core::Pulse;
 use onepulse_hwmodel::Circuit;
