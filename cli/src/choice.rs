@@ -142,6 +142,6 @@ impl Method {
 
     /// Whether the hardware model has circuits of the method.
     pub(crate) const fn has_circuit(&self) -> bool {
-        matches!(self, Self::Ppc { .. } | Self::Dda { .. } | Self::Brm { smoothing: 0 })
+        !matches!(self, Self::Brm { smoothing: 1.. } | Self::Vector)
     }
 }

@@ -173,12 +173,12 @@ pub(crate) fn with_host<V: Visitor>(
                 Method::Dda { .. } => return Err(machine::HALF_LOAD_ONLY.usage()),
                 Method::Brm { .. } => return Err(machine::LINES_ONLY.usage()),
                 Method::MinDeviation | Method::Vector | Method::CompareIntegral => {
-                    return Err(machine::SOFTWARE_ONLY.usage());
+                    return Err(machine::NO_ENGINE.usage());
                 }
             };
             show(Host::new(command, timing, bits)?, from.map(i64::from), visitor)
         }
-        Curve::Parabola { .. } | Curve::Helix { .. } => Err(machine::SOFTWARE_ONLY.usage()),
+        Curve::Parabola { .. } | Curve::Helix { .. } => Err(machine::NO_ENGINE.usage()),
     }
 }
 
@@ -197,7 +197,7 @@ fn line<V: Visitor, const AXES: usize>(
         }
         Method::Brm { smoothing: 0 } => Command::brm_line(to, period),
         Method::Brm { .. } | Method::MinDeviation | Method::Vector | Method::CompareIntegral => {
-            return Err(machine::SOFTWARE_ONLY.usage());
+            return Err(machine::NO_ENGINE.usage());
         }
     };
     show(Host::new(command, timing, bits)?, [0; AXES], visitor)

@@ -42,8 +42,15 @@ pub(crate) const LINES_ONLY: Refusal =
 
 /// What only the software does.
 pub(crate) const SOFTWARE_ONLY: Refusal = Refusal::Method(
-    "the hardware model has no circuit for this: it has them for --method ppc (lines of 2 axes, \
-     arcs), dda (lines, arcs) and brm (lines, without --smooth); pulses, table and compare need none",
+    "the hardware model has no circuit for this: it has them for --method ppc and compare-integral \
+     (lines of 2 axes, arcs), dda and min-deviation (lines, arcs) and brm (lines, without --smooth); \
+     pulses, table and compare need none",
+);
+
+/// A method of which the whole interpolator has no engine.
+pub(crate) const NO_ENGINE: Refusal = Refusal::Method(
+    "the whole interpolator has no engine for this: it has them for --method ppc (lines of 2 axes, \
+     arcs), dda (lines, arcs) and brm (lines, without --smooth); leave --interpolator out",
 );
 
 /// A parabola by a method that has none.
@@ -178,8 +185,9 @@ fn plane_line<V: Visitor>(
             Ok(visitor.visit(vector::Line::new(to)?, no_circuit, start))
         }
         Method::CompareIntegral => {
-            width(bits, 32, needed)?;
-            Ok(visitor.visit(comparison::Line::new(to)?, no_circuit, start))
+            let bits = width(bits, 32, needed)?;
+            let circuit = || Ok(hw::comparison::Line::new(to, bits)?);
+            Ok(visitor.visit(comparison::Line::new(to)?, circuit, start))
         }
         Method::Dda { .. } | Method::Brm { .. } | Method::MinDeviation => {
             line(to, method, bits, visitor)
@@ -222,8 +230,9 @@ fn line<V: Visitor, const AXES: usize>(
             Ok(visitor.visit(ppc::SpaceLine::new(to)?, no_circuit, start))
         }
         Method::MinDeviation => {
-            width(bits, 32, holding(Radix::Binary, &to))?;
-            Ok(visitor.visit(minimum_deviation::Line::new(to)?, no_circuit, start))
+            let bits = width(bits, 32, holding(Radix::Binary, &to))?;
+            let circuit = || Ok(hw::minimum_deviation::Line::new(to, bits)?);
+            Ok(visitor.visit(minimum_deviation::Line::new(to)?, circuit, start))
         }
         Method::Vector | Method::CompareIntegral => Err(TWO_AXES_ONLY),
     }
@@ -267,17 +276,20 @@ fn arc<V: Visitor>(
             Ok(visitor.visit(software?, circuit, start))
         }
         Method::MinDeviation => {
-            width(bits, 32, holding_arc(from, to, direction)?)?;
+            let bits = width(bits, 32, hw::minimum_deviation::Arc::bits(from, to, direction)?)?;
             let software = minimum_deviation::Arc::new(from, to, direction)?;
-            Ok(visitor.visit(software, no_circuit, start))
+            let circuit = || Ok(hw::minimum_deviation::Arc::new(from, to, direction, bits)?);
+            Ok(visitor.visit(software, circuit, start))
         }
         Method::Vector => {
             width(bits, 32, holding_arc(from, to, direction)?)?;
             Ok(visitor.visit(vector::Arc::new(from, to, direction)?, no_circuit, start))
         }
         Method::CompareIntegral => {
-            width(bits, 32, holding_arc(from, to, direction)?)?;
-            Ok(visitor.visit(comparison::Arc::new(from, to, direction)?, no_circuit, start))
+            let bits = width(bits, 32, hw::comparison::Arc::bits(from, to, direction)?)?;
+            let software = comparison::Arc::new(from, to, direction)?;
+            let circuit = || Ok(hw::comparison::Arc::new(from, to, direction, bits)?);
+            Ok(visitor.visit(software, circuit, start))
         }
         Method::Brm { .. } => Err(LINES_ONLY),
     }

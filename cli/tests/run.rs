@@ -71,15 +71,26 @@ fn names(folder: &Path) -> Vec<String> {
 fn methods_without_a_circuit_are_refused_before_anything_is_written() {
     let program = program("bracket.ngc");
     let words = "has no circuit for this: it has them for --method ppc";
-    for method in ["min-deviation", "vector", "compare-integral"] {
-        let folder = folder(&[("m.toml", &format!("method = \"{method}\""))]);
-        let said = failure(folder.path(), &format!("{program} --method {method}"), 2);
-        assert!(said.contains(words), "{said}");
-        let said = failure(folder.path(), &format!("{program} --config m.toml"), 1);
-        assert!(said.contains(words) && said.contains("m.toml: method"), "{said}");
-        let said = failure(folder.path(), &format!("{program} --method brm --smooth 2"), 2);
-        assert!(said.contains(words), "{said}");
-        assert_eq!(names(folder.path()), ["m.toml"]);
+    let folder = folder(&[("m.toml", "method = \"vector\"")]);
+    let said = failure(folder.path(), &format!("{program} --method vector"), 2);
+    assert!(said.contains(words), "{said}");
+    let said = failure(folder.path(), &format!("{program} --config m.toml"), 1);
+    assert!(said.contains(words) && said.contains("m.toml: method"), "{said}");
+    let said = failure(folder.path(), &format!("{program} --method brm --smooth 2"), 2);
+    assert!(said.contains(words), "{said}");
+    assert_eq!(names(folder.path()), ["m.toml"]);
+}
+
+#[test]
+fn the_bracket_is_made_by_the_methods_that_step_both_axes() {
+    for (method, circuits, most) in [
+        ("min-deviation", ["minimum_deviation_line", "minimum_deviation_arc"], 0.51),
+        ("compare-integral", ["comparison_line", "comparison_arc"], 0.71),
+    ] {
+        let report = check_bracket(&format!("--method {method}"), circuits);
+        let blocks = blocks(&report).iter().map(|block| &block["largest_deviation"]);
+        let worst = blocks.map(|worst| worst.as_f64().unwrap()).fold(0.0, f64::max);
+        assert!(worst > 0.4 && worst < most, "{method}: {worst}");
     }
 }
 

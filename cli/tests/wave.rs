@@ -83,7 +83,7 @@ fn position(changes: &Changes, axis: char) -> i64 {
 /// A curve, the circuit that makes it, its pulses in x and in y, and where it ends.
 type Case = (&'static str, &'static str, [usize; 2], [i64; 2]);
 
-const CASES: [Case; 10] = [
+const CASES: [Case; 14] = [
     ("line --to 5,3", "ppc_line", [5, 3], [5, 3]),
     ("line --to -50,31", "ppc_line", [50, 31], [-50, 31]),
     ("line --to 3,3 --end-rule larger", "ppc_line", [3, 2], [3, 2]),
@@ -94,6 +94,15 @@ const CASES: [Case; 10] = [
     ("arc --from 5,0 --to 0,5 --ccw --method dda", "dda_centred_arc", [5, 5], [0, 5]),
     ("arc --from 5,0 --to 0,5 --ccw --method dda --update simultaneous", "dda_arc", [5, 5], [0, 5]),
     ("line --to -10,-6 --method brm --bits 4", "brm_line", [10, 6], [-10, -6]),
+    ("line --to 5,-3 --method min-deviation", "minimum_deviation_line", [5, 3], [5, -3]),
+    (
+        "arc --from 5,0 --to 0,5 --ccw --method min-deviation",
+        "minimum_deviation_arc",
+        [5, 5],
+        [0, 5],
+    ),
+    ("line --to 3,-1 --method compare-integral", "comparison_line", [3, 1], [3, -1]),
+    ("arc --from 5,0 --to 5,0 --cw --method compare-integral", "comparison_arc", [20, 20], [5, 0]),
 ];
 
 #[test]
@@ -301,16 +310,15 @@ fn an_older_wave_is_replaced() {
 
 #[test]
 fn methods_without_a_circuit_are_refused_and_told_which_have_one() {
-    for method in ["min-deviation", "vector", "compare-integral"] {
-        for curve in ["line --to 5,3", "arc --from 5,0 --to 0,5 --ccw"] {
-            for whole in ["", "--interpolator"] {
-                let arguments = format!("{curve} --method {method} {whole} -o w.vcd");
-                check_refused(
-                    &arguments,
-                    2,
-                    "has no circuit for this: it has them for --method ppc",
-                );
-            }
+    for curve in ["line --to 5,3", "arc --from 5,0 --to 0,5 --ccw"] {
+        for whole in ["", "--interpolator"] {
+            let what = if whole.is_empty() { "circuit" } else { "engine" };
+            let words = format!("has no {what} for this: it has them for --method ppc");
+            check_refused(&format!("{curve} --method vector {whole} -o w.vcd"), 2, &words);
+        }
+        for method in ["min-deviation", "compare-integral"] {
+            let arguments = format!("{curve} --method {method} --interpolator -o w.vcd");
+            check_refused(&arguments, 2, "has no engine for this");
         }
     }
 }

@@ -244,7 +244,15 @@ fn declare_circuits(
             vec![line, arc]
         }
         Method::Brm { .. } => vec![add(list, &hw::brm::Line::new(x, bits)?)],
-        // A run by these is refused before.
-        Method::MinDeviation | Method::Vector | Method::CompareIntegral => Vec::new(),
+        Method::MinDeviation => vec![
+            add(list, &hw::minimum_deviation::Line::new(x, bits)?),
+            add(list, &hw::minimum_deviation::Arc::new(x, y, direction, bits)?),
+        ],
+        Method::CompareIntegral => vec![
+            add(list, &hw::comparison::Line::new(x, bits)?),
+            add(list, &hw::comparison::Arc::new(x, y, direction, bits)?),
+        ],
+        // A run by it is refused before.
+        Method::Vector => Vec::new(),
     })
 }
