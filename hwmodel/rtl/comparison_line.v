@@ -1,8 +1,8 @@
 // Straight line by comparison integration: one step a clock.
 //
 // A pulse of x takes an interval |ye|, a pulse of y an interval |xe|. D is twice the difference between
-// the times at which the next ones are due: D <= 0 feeds x and adds 2|ye|, D >= 0 feeds y and takes 2|xe|.
-// The adders' carries run together, one place apart.
+// the times at which the next ones are due: not above 0 it feeds x and adds 2|ye|, not below 0 it feeds y and
+// takes 2|xe|. The adders' carries run together, one place apart.
 module comparison_line #(
     parameter N = 24
 ) (
