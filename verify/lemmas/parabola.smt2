@@ -151,20 +151,35 @@
 (check-sat) ; expect unsat
 (pop 1)
 
-; lemma: end_on_the_parabola_is_not_passed_along
-; With v at the end of a parabola through (U,V), and u before it, F > 0, which calls for u: no axis stands before
-; its time. F is 2p*(U - u) there, 2p at least.
-; mutant: replace "(< u U)" by "(<= u U)"
+; lemma: way_along_takes_its_parameter
+; With d pulses to go along the axis of symmetry, d >= 1, p*d is p at least.
+; mutant: replace "(>= d 1)" by "(>= d 0)"
 (push 1)
 (declare-const p Int)
-(declare-const u Int)
-(declare-const U Int)
-(declare-const V Int)
+(declare-const d Int)
 (assert (>= p 1))
-(assert (= (* V V) (* 2 p U)))
-(assert (< u U))
+(assert (>= d 1))
 (check-sat) ; expect sat
-(assert (not (>= (- (* V V) (* 2 p u)) (* 2 p))))
+(assert (not (>= (* p d) p)))
+(check-sat) ; expect unsat
+(pop 1)
+
+; lemma: end_on_the_parabola_is_not_passed_along
+; With v at the end of a parabola through (U,V), and u before it, F > 0, which calls for u: no axis stands before
+; its time. V^2 = 2*p*U, and p*U is p*u + p*d with d = U - u pulses to go: so F is 2*p*d there, 2p at least. The
+; products are unknowns, of which way_along_takes_its_parameter tells what is needed.
+; mutant: replace "(>= pd p)" by "(>= pd 0)"
+; mutant: replace "(* 2 (+ pu pd))" by "(+ pu pd)"
+(push 1)
+(declare-const p Int)
+(declare-const pu Int)
+(declare-const pd Int)
+(declare-const square Int)
+(assert (>= p 1))
+(assert (>= pd p))
+(assert (= square (* 2 (+ pu pd))))
+(check-sat) ; expect sat
+(assert (not (>= (- square (* 2 pu)) (* 2 p))))
 (check-sat) ; expect unsat
 (pop 1)
 
