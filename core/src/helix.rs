@@ -1,6 +1,11 @@
 //! Helix: an arc in one plane and a linear axis across it.
 
-use crate::pulse::signed;
+mod distributor;
+mod screw;
+
+pub use distributor::Distributor;
+pub use screw::Screw;
+
 use crate::{Direction, EndRule, Error, Pulse, ppc};
 
 /// An interpolation plane of three axes.
@@ -68,18 +73,7 @@ impl Plane {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Helix {
     arc: ppc::Arc,
-    plane: Plane,
-    rise: i32,
-    /// Pulses made on the linear axis.
-    risen: u32,
-    /// Cycles, in all and to go.
-    cycles: u64,
-    left: u64,
-    /// The steps of the shorter, and its remainder register.
-    shorter: u64,
-    rest: u64,
-    /// Whether it is the linear axis that steps every cycle.
-    rise_is_longer: bool,
+    screw: Screw,
 }
 
 impl Helix {
@@ -101,19 +95,7 @@ impl Helix {
 
     /// The helix about an arc that has not begun.
     fn about(plane: Plane, arc: ppc::Arc, rise: i32) -> Self {
-        let (steps, height) = (arc.remaining(), u64::from(rise.unsigned_abs()));
-        let cycles = steps.max(height);
-        Self {
-            arc,
-            plane,
-            rise,
-            risen: 0,
-            cycles,
-            left: cycles,
-            shorter: steps.min(height),
-            rest: cycles / 2,
-            rise_is_longer: height > steps,
-        }
+        Self { arc, screw: Screw::new(plane, arc.remaining(), rise) }
     }
 
     /// The helix about a given arc that has not begun, of the end rule [`EndRule::Total`]:
@@ -124,41 +106,12 @@ impl Helix {
         Self::about(plane, arc, rise)
     }
 
-    /// The helix in this state, reachable or not; `steps` is the number of steps of the whole arc.
-    #[cfg(feature = "proofs")]
-    #[must_use]
-    pub fn in_state(
-        plane: Plane,
-        arc: ppc::Arc,
-        steps: u64,
-        rise: i32,
-        risen: u32,
-        left: u64,
-        rest: u64,
-    ) -> Self {
-        let height = u64::from(rise.unsigned_abs());
-        let (cycles, shorter) = (steps.max(height), steps.min(height));
-        let rise_is_longer = height > steps;
-        Self { arc, plane, rise, risen, cycles, left, shorter, rest, rise_is_longer }
-    }
-
     /// One cycle; `None` once the end point is reached.
     #[inline]
     pub fn step(&mut self) -> Option<Pulse<3>> {
-        if self.is_done() {
-            return None;
-        }
-        let sum = self.rest + self.shorter;
-        let carry = sum >= self.cycles;
-        self.rest = if carry { sum - self.cycles } else { sum };
-        self.left -= 1;
-        let (arc_steps, rises) = if self.rise_is_longer { (carry, true) } else { (true, carry) };
-        let Pulse([first, second]) =
-            if arc_steps { self.arc.step().unwrap_or(Pulse::NONE) } else { Pulse::NONE };
-        self.risen += u32::from(rises);
-        let across = if rises { self.rise.signum() as i8 } else { 0 };
+        let pulse = self.screw.cycle(|| self.arc.step().unwrap_or(Pulse::NONE))?;
         debug_assert!(self.invariant());
-        Some(Pulse(self.plane.place([first, second, across])))
+        Some(pulse)
     }
 
     /// The arc in the plane.
@@ -170,80 +123,58 @@ impl Helix {
     /// The plane of the arc.
     #[must_use]
     pub const fn plane(&self) -> Plane {
-        self.plane
+        self.screw.plane()
     }
 
     /// T: the cycles from start to end.
     #[must_use]
     pub const fn cycles(&self) -> u64 {
-        self.cycles
+        self.screw.distributor().cycles()
     }
 
     /// The remainder register of the shorter of arc and linear axis.
     #[must_use]
     pub const fn remainder(&self) -> u64 {
-        self.rest
+        self.screw.distributor().remainder()
     }
 
     /// Whether the end point is reached.
     #[inline]
     #[must_use]
     pub const fn is_done(&self) -> bool {
-        self.left == 0
+        self.screw.distributor().remaining() == 0
     }
 
     /// Cycles still to come.
     #[must_use]
     pub const fn remaining(&self) -> u64 {
-        self.left
+        self.screw.distributor().remaining()
     }
 
     /// The present point, x, y, z: counted from the arc's centre in the plane, and from the start
     /// along the linear axis.
     #[must_use]
     pub fn position(&self) -> [i64; 3] {
-        let [first, second] = self.arc.position();
-        let across = signed(self.rise.signum() as i8, i64::from(self.risen));
-        self.plane.place([first, second, across])
+        self.screw.position(self.arc.position())
     }
 
     /// What is missing to the end point: zero when done.
     #[must_use]
     pub fn residual(&self) -> [i64; 3] {
-        let [first, second] = self.arc.residual();
-        let risen = signed(self.rise.signum() as i8, i64::from(self.risen));
-        self.plane.place([first, second, i64::from(self.rise) - risen])
+        self.screw.residual(self.arc.residual())
     }
 
-    /// What always holds: the arc's own invariant, the longer has as many steps to go as there are
-    /// cycles, and these bring the shorter just the d that it lacks: rest + left·S = ⌊T/2⌋ + d·T.
+    /// All but the arc.
+    #[must_use]
+    pub const fn screw(&self) -> &Screw {
+        &self.screw
+    }
+
+    /// What always holds: the arc's own invariant, and the screw's for the steps that the arc still
+    /// has to make.
     #[must_use]
     pub fn invariant(&self) -> bool {
-        let product = |a: u64, b: u64| u128::from(a) * u128::from(b);
-        let [_, lacking] = self.steps_to_go();
-        self.arc.invariant()
-            && self.counters_hold(product(self.left, self.shorter), product(lacking, self.cycles))
-    }
-
-    /// The invariant but for the arc's, for given products left·S and d·T, which a proof may know
-    /// otherwise than by multiplying.
-    #[must_use]
-    pub fn counters_hold(&self, due: u128, lacking: u128) -> bool {
-        let [longer, shorter] = self.steps_to_go();
-        self.risen <= self.rise.unsigned_abs()
-            && self.left <= self.cycles
-            && self.rest < self.cycles
-            && longer == self.left
-            && shorter <= self.shorter
-            && u128::from(self.rest) + due == u128::from(self.cycles / 2) + lacking
-    }
-
-    /// What the longer and the shorter of arc and linear axis still have to step.
-    #[must_use]
-    pub fn steps_to_go(&self) -> [u64; 2] {
-        let to_rise = u64::from(self.rise.unsigned_abs().saturating_sub(self.risen));
-        let to_turn = self.arc.remaining();
-        if self.rise_is_longer { [to_rise, to_turn] } else { [to_turn, to_rise] }
+        self.arc.invariant() && self.screw.invariant(self.arc.remaining())
     }
 }
 

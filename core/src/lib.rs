@@ -52,7 +52,7 @@ mod walk;
 
 pub use end_rule::EndRule;
 pub use error::Error;
-pub use helix::{Helix, Plane};
+pub use helix::{Distributor, Helix, Plane, Screw};
 pub use pulse::{Axis, Pulse};
 pub use quadrant::{Direction, Feed, Feeds, Quadrant};
 pub use sweep::Sweep;

@@ -43,3 +43,53 @@
 (assert (not (and (<= (- T) (* 2 off)) (<= (* 2 off) T))))
 (check-sat) ; expect unsat
 (pop 1)
+
+; lemma: no_cycle_left_ahead
+; What the harnesses know of A = d*T - left*S: with no cycle left it is d*T, which is 0, or T at least.
+; mutant: replace "(= left 0)" by "(= left 1)"
+(push 1)
+(declare-const T Int)
+(declare-const S Int)
+(declare-const d Int)
+(declare-const left Int)
+(define-fun A () Int (- (* d T) (* left S)))
+(assert (and (<= 0 S) (<= S T)))
+(assert (<= 0 d))
+(assert (= left 0))
+(check-sat) ; expect sat
+(assert (not (ite (= d 0) (= A 0) (>= A T))))
+(check-sat) ; expect unsat
+(pop 1)
+
+; lemma: none_lacking_ahead
+; And with no step lacking while there are cycles left, it is -S at most.
+; mutant: replace "(= d 0)" by "(= d 1)"
+; mutant: replace "(<= 1 left)" by "(<= 0 left)"
+(push 1)
+(declare-const T Int)
+(declare-const S Int)
+(declare-const d Int)
+(declare-const left Int)
+(define-fun A () Int (- (* d T) (* left S)))
+(assert (and (<= 0 S) (<= S T)))
+(assert (= d 0))
+(assert (<= 1 left))
+(check-sat) ; expect sat
+(assert (not (<= A (- S))))
+(check-sat) ; expect unsat
+(pop 1)
+
+; lemma: cycle_changes_ahead
+; A cycle adds S to it, and a step of the shorter takes T away.
+; mutant: replace "(+ (- A T) S)" by "(- (- A T) S)"
+(push 1)
+(declare-const T Int)
+(declare-const S Int)
+(declare-const d Int)
+(declare-const left Int)
+(define-fun A () Int (- (* d T) (* left S)))
+(check-sat) ; expect sat
+(assert (not (and (= (- (* (- d 1) T) (* (- left 1) S)) (+ (- A T) S))
+                  (= (- (* d T) (* (- left 1) S)) (+ A S)))))
+(check-sat) ; expect unsat
+(pop 1)

@@ -1,13 +1,14 @@
 //! Helix: Q4, N1 for every arc that has a circle and every rise.
 //!
-//! The arc is one of `ppc_arc.rs`, in any state; that its steps to go fall by one with each step is shown
-//! there. rest + left·S = ⌊T/2⌋ + d·T, where d is what the shorter of arc and linear axis lacks; the two
-//! products are ghosts here, up to 2⁶⁶.
+//! Who steps when is shown of the distributor alone: rest + left·S = ⌊T/2⌋ + d·T, where d is what the
+//! shorter of arc and linear axis lacks, and d·T − left·S is a ghost of which only lemmas are known
+//! (`verify/lemmas/helix.smt2`). For it an arc is a number of steps to go that falls by one with each of
+//! them; that it does, and that no step is to go where it ends, is shown in `ppc_arc.rs`. A cycle then makes
+//! the steps that the distributor tells, whatever step it is that the arc makes.
 
 use crate::any::any_direction;
-use crate::ppc_arc::any_state as any_arc;
 use crate::same::same;
-use onepulse_core::{EndRule, Helix, Plane, Sweep, ppc::Arc};
+use onepulse_core::{Distributor, EndRule, Helix, Plane, Pulse, Screw, Sweep, ppc::Arc};
 
 fn any_plane() -> Plane {
     match kani::any_where(|plane: &u8| *plane < 3) {
@@ -17,85 +18,74 @@ fn any_plane() -> Plane {
     }
 }
 
-/// `factor · count`. To a solver any number with these properties of the product (lemmas in
-/// `verify/lemmas/product.smt2`).
+/// Any number of cycles: an arc has fewer than 2³⁶ steps.
+const MOST: u64 = 1 << 36;
+
+/// d·T − left·S. To a solver any number of which this is true (lemmas `…_ahead` in
+/// `verify/lemmas/helix.smt2`).
 #[cfg(any(kani, target_arch = "wasm32"))]
-fn product(factor: u64, count: u64) -> u128 {
-    let halves: [u64; 2] = kani::any();
-    let product = u128::from(halves[0]) << 64 | u128::from(halves[1]);
-    kani::assume(product < 1 << 80);
-    let factor = u128::from(factor);
-    kani::assume(match count {
-        0 => product == 0,
-        1 => product == factor,
-        _ => product >= 2 * factor,
+fn any_ahead(lacking: u64, cycles: u64, left: u64, shorter: u64) -> i64 {
+    let ahead: i64 = kani::any();
+    kani::assume(-(MOST as i64) < ahead && ahead < MOST as i64);
+    let [cycles, shorter] = [cycles, shorter].map(|steps| steps as i64);
+    kani::assume(match [lacking, left] {
+        [0, 0] => ahead == 0,
+        [_, 0] => ahead >= cycles,
+        [0, _] => ahead <= -shorter,
+        _ => true,
     });
-    product
+    ahead
 }
 
-/// `factor · count`. A counterexample's own numbers when one is run again.
+/// d·T − left·S. A counterexample's own number when one is run again.
 #[cfg(not(any(kani, target_arch = "wasm32")))]
-fn product(factor: u64, count: u64) -> u128 {
-    let product = u128::from(factor) * u128::from(count);
-    let [high, low] = [(product >> 64) as u64, product as u64].map(kani::native::given);
-    u128::from(high) << 64 | u128::from(low)
+fn any_ahead(lacking: u64, cycles: u64, left: u64, shorter: u64) -> i64 {
+    let product = |a: u64, b: u64| i128::from(a) * i128::from(b);
+    let ahead = product(lacking, cycles) - product(left, shorter);
+    let ahead = kani::native::given(ahead as u64) as i64;
+    kani::assume(-(MOST as i64) < ahead && ahead < MOST as i64);
+    ahead
 }
 
-/// What the products leave free: the cycles to go if the linear axis is the longer one and the arc lacks
-/// `to_turn` steps, else the pulses that the linear axis lacks in `to_turn` cycles.
+/// The cycles to go, and the steps that the shorter of arc and linear axis lacks.
 #[cfg(any(kani, target_arch = "wasm32"))]
-fn any_count(_steps: u64, _height: u64, _to_turn: u64) -> u64 {
+fn any_counts(_cycles: u64, _shorter: u64) -> [u64; 2] {
     kani::any()
 }
 
-/// The same natively: the count that keeps the remainder in its register.
+/// The same natively: as many steps as keep the remainder in its register.
 #[cfg(not(any(kani, target_arch = "wasm32")))]
-fn any_count(steps: u64, height: u64, to_turn: u64) -> u64 {
-    let [steps, height, to_turn] = [steps, height, to_turn].map(u128::from);
-    kani::native::chosen(|drawn| {
-        let count = if height > steps {
-            // left·N <= ⌊h/2⌋ + d·h < left·N + h.
-            let most = (height / 2 + to_turn * height) / steps.max(1);
-            most.saturating_sub(u128::from(drawn) % height.div_ceil(steps.max(1)))
-        } else {
-            // d·N >= left·h − ⌊N/2⌋.
-            (to_turn * height).saturating_sub(steps / 2).div_ceil(steps.max(1))
-        };
-        count as u64
-    })
+fn any_counts(cycles: u64, shorter: u64) -> [u64; 2] {
+    let left = kani::native::chosen(|drawn| drawn % (cycles + 1));
+    let [due, half] = [u128::from(left) * u128::from(shorter), u128::from(cycles / 2)];
+    // d·T >= left·S − ⌊T/2⌋.
+    let lacking = due.saturating_sub(half).div_ceil(u128::from(cycles.max(1)));
+    [left, kani::native::given(lacking as u64)]
 }
 
-/// A helix somewhere on its way.
+/// An arc and a linear axis somewhere on their way.
 struct Any {
-    helix: Helix,
-    plane: Plane,
-    rise: i32,
+    distributor: Distributor,
+    /// The steps that each still has to make.
+    to_go: [u64; 2],
     /// S.
     shorter: u64,
-    /// left·S and d·T.
-    due: u128,
-    lacking: u128,
+    /// d·T − left·S.
+    ahead: i64,
 }
 
-/// Any state that satisfies the invariant; an arc has fewer than 2³⁶ steps.
-fn any_state() -> Any {
-    let arc = any_arc(EndRule::Total);
-    let (plane, rise): (_, i32) = (any_plane(), kani::any());
-    let to_turn = arc.remaining();
-    let steps = to_turn + u64::from(kani::any::<u32>());
-    kani::assume(steps < 1 << 36);
-    let height = u64::from(rise.unsigned_abs());
-    let (cycles, shorter) = (steps.max(height), steps.min(height));
-    let count = any_count(steps, height, to_turn);
-    kani::assume(count <= height);
-    let (left, lacking) = if height > steps { (count, to_turn) } else { (to_turn, count) };
-    let risen = (height - count) as u32;
-    let (due, lacking) = (product(shorter, left), product(cycles, lacking));
-    let rest = (u128::from(cycles / 2) + lacking).wrapping_sub(due);
-    kani::assume(rest < u128::from(cycles));
-    let helix = Helix::in_state(plane, arc, steps, rise, risen, left, rest as u64);
-    kani::assume(helix.counters_hold(due, lacking));
-    Any { helix, plane, rise, shorter, due, lacking }
+/// Any state that satisfies the distributor's invariant.
+fn any_distribution() -> Any {
+    let (steps, height) = (kani::any_where(|steps: &u64| *steps < MOST), kani::any::<u32>());
+    kani::assume(height <= 1 << 31);
+    let (cycles, shorter) = (steps.max(u64::from(height)), steps.min(u64::from(height)));
+    let [left, lacking] = any_counts(cycles, shorter);
+    let ahead = any_ahead(lacking, cycles, left, shorter);
+    let rest = (cycles / 2).wrapping_add_signed(ahead);
+    let distributor = Distributor::in_state(steps, height, left, rest);
+    let to_go = if u64::from(height) > steps { [lacking, left] } else { [left, lacking] };
+    kani::assume(distributor.counters_hold(to_go, ahead));
+    Any { distributor, to_go, shorter, ahead }
 }
 
 /// An arc that has not begun, on any circle.
@@ -120,58 +110,106 @@ fn helix_new_establishes_invariant() {
     let (steps, height) = (arc.remaining(), u64::from(rise.unsigned_abs()));
     kani::cover!(height > steps && rise < 0);
     kani::cover!(height < steps && rise > 0);
-    assert!(steps < 1 << 36);
+    assert!(steps < MOST);
     assert!(helix.remaining() == steps.max(height) && helix.cycles() == helix.remaining());
     assert!(helix.remainder() == helix.cycles() / 2);
-    let [longer, shorter] = helix.steps_to_go();
-    assert!(longer == steps.max(height) && shorter == steps.min(height));
-    // left·S and d·T are both S·T.
-    assert!(helix.cycles() == 0 || helix.counters_hold(0, 0));
+    assert!(helix.screw().to_rise() == height);
+    // d·T and left·S are both S·T.
+    assert!(helix.cycles() == 0 || helix.screw().distributor().counters_hold([steps, height], 0));
     let across = plane.axes()[2];
     assert!(helix.position()[across] == 0 && helix.residual()[across] == i64::from(rise));
 }
 
-/// One cycle steps the longer and, where the remainder overflows, the shorter, each of which has a step
-/// left.
+/// One cycle is a step of the longer and, where the remainder overflows, of the shorter, each of which has
+/// one left.
 #[kani::proof]
-fn helix_step_preserves_invariant() {
-    let Any { mut helix, plane, rise, shorter, due, lacking } = any_state();
-    let before = helix;
-    let Some(pulse) = helix.step() else {
+fn helix_cycle_preserves_invariant() {
+    let Any { mut distributor, to_go, shorter, ahead } = any_distribution();
+    let before = distributor;
+    let Some([turns, rises]) = distributor.share() else {
         assert!(before.remaining() == 0);
         return;
     };
-    let [longer_left, shorter_left] = before.steps_to_go();
-    let [longer_after, shorter_after] = helix.steps_to_go();
-    let carry = shorter_after != shorter_left;
-    kani::cover!(carry && rise < 0);
-    kani::cover!(!carry && helix.arc().remaining() == before.arc().remaining());
-    assert!(helix.remaining() + 1 == before.remaining());
-    assert!(longer_after + 1 == longer_left);
-    assert!(shorter_after + u64::from(carry) == shorter_left);
-    let due = due - u128::from(shorter);
-    let lacking = lacking - if carry { u128::from(before.cycles()) } else { 0 };
-    assert!(helix.counters_hold(due, lacking));
-
-    let [first, second, across] = plane.axes().map(|axis| pulse.0[axis]);
-    let turned = before.arc().remaining() - helix.arc().remaining();
-    assert!(turned == u64::from(first != 0) + u64::from(second != 0));
-    assert!(across == 0 || i32::from(across) == rise.signum());
-    let [at, to] = [before, helix].map(|helix| helix.position()[plane.axes()[2]]);
-    assert!(to == at + i64::from(across));
+    kani::cover!(!turns);
+    kani::cover!(!rises);
+    kani::cover!(turns && rises && distributor.remaining() > 1);
+    assert!(turns || rises);
+    assert!(to_go[0] >= u64::from(turns) && to_go[1] >= u64::from(rises));
+    let to_go = [to_go[0] - u64::from(turns), to_go[1] - u64::from(rises)];
+    assert!(distributor.remaining() + 1 == before.remaining());
+    assert!(distributor.cycles() == before.cycles());
+    let made = if turns && rises { before.cycles() as i64 } else { 0 };
+    assert!(distributor.counters_hold(to_go, ahead - made + shorter as i64));
 }
 
 /// After c cycles the shorter has made c·S/T steps to within half a one: the difference, times T, is that
 /// of the remainder from half load. And when no cycle is left, no step is.
 #[kani::proof]
+fn helix_cycles_end_with_the_steps() {
+    let Any { distributor, to_go, .. } = any_distribution();
+    let off = distributor.remainder().abs_diff(distributor.cycles() / 2);
+    kani::cover!(2 * off == distributor.cycles());
+    assert!(2 * off <= distributor.cycles());
+    kani::cover!(distributor.remaining() == 0);
+    assert!((distributor.remaining() == 0) == same(to_go, [0, 0]));
+}
+
+/// All of a helix but its arc, in a state of which nothing is known but that its registers are in range and
+/// the linear axis has a pulse left where one is due; the rise; and what is due of the two.
+fn any_screw() -> (Screw, i32, [bool; 2]) {
+    let (rise, risen): (i32, u32) = (kani::any(), kani::any());
+    let (steps, left, rest): (u64, u64, u64) = (kani::any(), kani::any(), kani::any());
+    let height = rise.unsigned_abs();
+    kani::assume(steps < MOST && risen <= height);
+    let mut distributor = Distributor::in_state(steps, height, left, rest);
+    kani::assume(rest < distributor.cycles());
+    let screw = Screw::in_state(any_plane(), rise, risen, distributor);
+    let [turns, rises] = distributor.share().unwrap_or([false; 2]);
+    kani::assume(!rises || risen < height);
+    (screw, rise, [turns, rises])
+}
+
+/// A cycle makes the step of the arc and the pulse of the linear axis that are due, each on its own axes.
+#[kani::proof]
+fn helix_cycle_makes_what_is_due() {
+    let (mut screw, rise, [turns, rises]) = any_screw();
+    let before = screw;
+    let turn = Pulse(kani::any::<[i8; 2]>());
+    let mut turned = false;
+    let Some(pulse) = screw.cycle(|| {
+        turned = true;
+        turn
+    }) else {
+        assert!(before.distributor().remaining() == 0 && !turned);
+        return;
+    };
+    kani::cover!(turns && !rises);
+    kani::cover!(rises && !turns);
+    assert!(turned == turns);
+    assert!(screw.distributor().remaining() + 1 == before.distributor().remaining());
+    let [first, second, across] = before.plane().axes();
+    assert!(pulse.0[first] == if turns { turn.0[0] } else { 0 });
+    assert!(pulse.0[second] == if turns { turn.0[1] } else { 0 });
+    let sign = i64::from(pulse.0[across]);
+    assert!(sign == if rises { i64::from(rise.signum()) } else { 0 });
+    assert!(screw.position([0, 0])[across] == before.position([0, 0])[across] + sign);
+    assert!(screw.to_rise() + u64::from(rises) == before.to_rise());
+}
+
+/// Where the helix is, and what is missing, are those of its arc in the plane and of the linear axis across
+/// it: of that nothing, where no pulse is to go.
+#[kani::proof]
 fn helix_done_means_end_point() {
-    let Any { helix, .. } = any_state();
-    let off = helix.remainder().abs_diff(helix.cycles() / 2);
-    kani::cover!(2 * off == helix.cycles());
-    assert!(2 * off <= helix.cycles());
-    kani::cover!(helix.is_done());
-    if helix.is_done() {
-        assert!(same(helix.steps_to_go(), [0, 0]));
-        assert!(same(helix.residual(), [0, 0, 0]));
-    }
+    let (screw, rise, _) = any_screw();
+    let [first, second, across] = screw.plane().axes();
+    let (turned, to_turn): ([i64; 2], [i64; 2]) = (kani::any(), kani::any());
+    let (at, missing) = (screw.position(turned), screw.residual(to_turn));
+    kani::cover!(first == 1);
+    kani::cover!(first == 2 && missing[across] < 0);
+    kani::cover!(second == 1 && screw.to_rise() == 0 && rise == i32::MIN);
+    assert!(first + second + across == 3 && first != second && second != across);
+    assert!(at[first] == turned[0] && at[second] == turned[1]);
+    assert!(missing[first] == to_turn[0] && missing[second] == to_turn[1]);
+    assert!(at[across] + missing[across] == i64::from(rise));
+    assert!(missing[across].unsigned_abs() == screw.to_rise());
 }
