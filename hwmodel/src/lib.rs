@@ -17,6 +17,7 @@
 //! | [`comparison::Arc`] | 2: judge, move | [`onepulse_core::comparison::Arc`] |
 //! | [`minimum_deviation::Line`] | 1 | [`onepulse_core::minimum_deviation::Line`] |
 //! | [`minimum_deviation::Arc`] | 2: judge, move | [`onepulse_core::minimum_deviation::Arc`] |
+//! | [`parabola::Ppc`] | 1 | [`onepulse_core::parabola::Ppc`] |
 //!
 //! [`interpolator::Interpolator`] is the whole machine: the engines of the first three methods behind a decoder and a [`Fifo`] of
 //! commands, with a pulse source for the feed, and with a [`StepDir`] for each axis' drive.
@@ -43,6 +44,7 @@ pub mod dda;
 mod fifo;
 pub mod interpolator;
 pub mod minimum_deviation;
+pub mod parabola;
 pub mod ppc;
 mod probe;
 mod step_dir;

@@ -3,17 +3,19 @@
 #![allow(clippy::unwrap_used)]
 
 use onepulse_core::dda::{Preset, Radix, Register};
-use onepulse_core::{Direction, EndRule, Error, Pulse};
+use onepulse_core::parabola::{self as soft_parabola, Shape};
+use onepulse_core::{Axis, Direction, EndRule, Error, Pulse};
 use onepulse_core::{
     brm as soft_brm, comparison as soft_comparison, dda as soft_dda,
     minimum_deviation as soft_minimum_deviation, ppc as soft_ppc,
 };
-use onepulse_hwmodel::{Circuit, brm, comparison, dda, minimum_deviation, ppc};
+use onepulse_hwmodel::{Circuit, brm, comparison, dda, minimum_deviation, parabola, ppc};
 use proptest::prelude::*;
 use std::fmt::Debug;
 
 const PRESETS: [Preset; 3] = [Preset::Zero, Preset::Half, Preset::Full];
 const RULES: [EndRule; 3] = [EndRule::Total, EndRule::PerAxis, EndRule::Larger];
+const AXES: [Axis; 2] = [Axis::X, Axis::Y];
 const DIRECTIONS: [Direction; 2] = [Direction::Cw, Direction::Ccw];
 
 /// Both run to the end, or are both refused for the same reason.
@@ -66,6 +68,17 @@ fn comparison_line(end: [i32; 2], bits: u32) {
         soft_comparison::Line::new(end),
         comparison::Line::new(end, bits),
         ("comparison line", end, bits),
+    );
+}
+
+/// The parabola to this end point, if it opens to that side.
+fn parabola_ppc(axis: Axis, parameter: i32, end: [i32; 2], extra: u32) {
+    let Ok(shape) = Shape::new(axis, parameter, end) else { return };
+    let bits = parabola::Ppc::bits(&shape) + extra;
+    assert_equal(
+        soft_parabola::Ppc::new(shape),
+        parabola::Ppc::new(shape, bits),
+        ("parabola by point-by-point comparison", shape, bits),
     );
 }
 
@@ -190,6 +203,35 @@ fn every_end_point_off_the_circle_of_3_bits() {
     }
 }
 
+/// To every end point, on the parabola or off it.
+#[test]
+fn every_parabola_of_up_to_4_bits() {
+    for axis in AXES {
+        for parameter in -15..=15 {
+            for end in points(15) {
+                parabola_ppc(axis, parameter, end, 0);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_parabola_that_the_registers_do_not_hold_is_refused() {
+    let shape = |p, end| Shape::new(Axis::X, p, end).unwrap();
+    let wide = [(1, [0, 16], 5), (1, [31, 0], 5), (-16, [-1, 1], 5), (i32::MIN, [0, 0], 32)];
+    for (p, end, needed) in wide {
+        let shape = shape(p, end);
+        assert_eq!(parabola::Ppc::bits(&shape), needed);
+        let error = Error::RegisterTooNarrow { digits: 4, needed };
+        assert_eq!(parabola::Ppc::new(shape, 4).err(), Some(error));
+        assert!(parabola::Ppc::new(shape, needed).is_ok());
+    }
+    for bits in [0, 33] {
+        let error = parabola::Ppc::new(shape(1, [1, 1]), bits).err();
+        assert_eq!(error, Some(Error::RegisterWidth { digits: bits, widest: 32 }));
+    }
+}
+
 #[test]
 fn more_axes_share_the_counter() {
     for preset in PRESETS {
@@ -260,6 +302,18 @@ proptest! {
     }
 
     #[test]
+    fn parabolas_at_random_widths(
+        end in (2_u32..=16).prop_flat_map(|b| [coordinate(b), coordinate(b)]),
+        parameter in (2_u32..=16).prop_flat_map(coordinate),
+        extra in 0..3_u32,
+        upright: bool,
+    ) {
+        let axis = AXES[usize::from(upright)];
+        let opens = if axis.of(end) < 0 { -parameter.abs() } else { parameter.abs() };
+        parabola_ppc(axis, opens, end, extra);
+    }
+
+    #[test]
     fn arcs_at_random_widths(
         start in (2_u32..=9).prop_flat_map(|b| [coordinate(b), coordinate(b)]),
         end in (2_u32..=9).prop_flat_map(|b| [coordinate(b), coordinate(b)]),
@@ -327,6 +381,22 @@ proptest! {
         let soft = soft_minimum_deviation::Line::new(end).unwrap();
         let hard = minimum_deviation::Line::new(end, bits - 1).unwrap();
         prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
+    }
+
+    #[test]
+    fn the_first_cycles_of_the_longest_parabolas(
+        end in [longest(), longest()],
+        parameter in longest(),
+        narrower in 0..32_u32,
+        upright: bool,
+    ) {
+        const CYCLES: usize = 5000;
+        let axis = AXES[usize::from(upright)];
+        if let Ok(shape) = Shape::new(axis, parameter >> narrower, end) {
+            let soft = soft_parabola::Ppc::new(shape).unwrap();
+            let hard = parabola::Ppc::new(shape, 32).unwrap();
+            prop_assert!(soft.take(CYCLES).eq(hard.cycles().take(CYCLES)));
+        }
     }
 
     #[test]

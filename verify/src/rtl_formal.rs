@@ -33,7 +33,7 @@ impl Options {
 }
 
 /// The modules with properties.
-const MODULES: [&str; 14] = [
+const MODULES: [&str; 15] = [
     "dda_line",
     "dda_arc",
     "dda_centred_arc",
@@ -44,6 +44,7 @@ const MODULES: [&str; 14] = [
     "comparison_line",
     "comparison_arc",
     "minimum_deviation_arc",
+    "parabola_ppc",
     "step_dir",
     "command_fifo",
     "pulse_source",
@@ -123,6 +124,17 @@ const MUTANTS: &[(&str, Mutant)] = &[
         "level - {3'b000, towards}",
     ),
     mutant("minimum_deviation_arc", "walk.v", " + (change_y & {(N+2){moves_y}})", ""),
+    mutant("parabola_ppc", "parabola_ppc.v", "~o_f[N+1] & ~stands_along", "~o_f[N+1]"),
+    mutant("parabola_ppc", "parabola_ppc.v", ") | stands_across;", ");"),
+    mutant("parabola_ppc", "parabola_ppc.v", "{1'b0, o_v, 1'b1}", "{1'b0, o_v, 1'b0}"),
+    mutant("parabola_ppc", "parabola_ppc.v", "{{(N+1){1'b0}}, along};", "{(N+2){1'b0}};"),
+    mutant("parabola_ppc", "parabola_ppc.v", "along == o_axis_is_y", "~along == o_axis_is_y"),
+    mutant(
+        "parabola_ppc",
+        "parabola_ppc.v",
+        "run           = i_en & ~o_done",
+        "run           = i_en",
+    ),
     mutant("step_dir", "step_dir.v", "o_step ? i_space : i_length", "i_space"),
     mutant("step_dir", "step_dir.v", "o_step ? i_hold : i_setup", "i_setup"),
     mutant("step_dir", "step_dir.v", "waits & agrees & timer_is_out", "waits & agrees"),

@@ -17,10 +17,11 @@ pub(super) enum Engine {
     ComparisonLine,
     ComparisonArc,
     MinimumDeviationArc,
+    ParabolaPpc,
 }
 
 impl Engine {
-    pub(super) const ALL: [Self; 12] = [
+    pub(super) const ALL: [Self; 13] = [
         Self::DdaLine,
         Self::DdaLine4,
         Self::DdaArc,
@@ -33,6 +34,7 @@ impl Engine {
         Self::ComparisonLine,
         Self::ComparisonArc,
         Self::MinimumDeviationArc,
+        Self::ParabolaPpc,
     ];
 
     /// The Verilog module.
@@ -48,6 +50,7 @@ impl Engine {
             Self::ComparisonLine => "comparison_line",
             Self::ComparisonArc => "comparison_arc",
             Self::MinimumDeviationArc => "minimum_deviation_arc",
+            Self::ParabolaPpc => "parabola_ppc",
         }
     }
 
@@ -65,7 +68,8 @@ impl Engine {
             Self::DdaLine | Self::DdaLine4 | Self::BrmLine => true,
             Self::MinimumDeviationLine | Self::MinimumDeviationLine4 => true,
             Self::DdaArc | Self::DdaCentredArc | Self::PpcLine | Self::PpcArc => false,
-            Self::ComparisonLine | Self::ComparisonArc | Self::MinimumDeviationArc => false,
+            Self::ComparisonLine | Self::ComparisonArc => false,
+            Self::MinimumDeviationArc | Self::ParabolaPpc => false,
         }
     }
 
@@ -132,6 +136,10 @@ impl Engine {
             Self::ComparisonArc | Self::MinimumDeviationArc => {
                 inputs.extend(["i_cx", "i_cy"].map(|name| whole(name, n)));
                 inputs.extend(sweep);
+            }
+            Self::ParabolaPpc => {
+                inputs.extend(["i_p", "i_end_along", "i_end_across"].map(|name| whole(name, n)));
+                inputs.extend([whole("i_axis_is_y", 1), whole("i_negative", 2)]);
             }
             Self::PpcLine => {
                 inputs.extend(["i_end_x", "i_end_y"].map(|name| whole(name, n)));
@@ -245,6 +253,15 @@ impl Engine {
                 outputs.push(whole("cx", "o_cx", n));
                 outputs.push(whole("cy", "o_cy", n));
                 outputs.extend(sweep());
+            }
+            Self::ParabolaPpc => {
+                outputs.push(whole("f", "o_f", n + 2));
+                outputs.push(whole("v", "o_v", n));
+                outputs.push(whole("p", "o_p", n));
+                outputs.push(whole("je_along", "o_je_along", n));
+                outputs.push(whole("je_across", "o_je_across", n));
+                outputs.push(whole("axis_is_y", "o_axis_is_y", 1));
+                outputs.extend(signs(2));
             }
             Self::PpcLine => {
                 outputs.push(whole("beat", "o_beat", 2));

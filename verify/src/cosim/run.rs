@@ -60,6 +60,7 @@ impl Plan<'_> {
             Engine::ComparisonLine => self.run_with(bench, stimulus::comparison_line),
             Engine::ComparisonArc => self.run_with(bench, stimulus::comparison_arc),
             Engine::MinimumDeviationArc => self.run_with(bench, stimulus::minimum_deviation_arc),
+            Engine::ParabolaPpc => self.run_with(bench, stimulus::parabola_ppc),
             Engine::MinimumDeviationLine => {
                 self.run_with(bench, stimulus::minimum_deviation_line::<2>)
             }

@@ -4,8 +4,9 @@
 use super::reading::Registers;
 use fastrand::Rng;
 use onepulse_core::dda::{self as software, Preset, Radix, Register};
-use onepulse_core::{Direction, EndRule, ppc as software_ppc};
-use onepulse_hwmodel::{brm, comparison, dda, minimum_deviation, ppc};
+use onepulse_core::parabola::Shape;
+use onepulse_core::{Axis, Direction, EndRule, ppc as software_ppc};
+use onepulse_hwmodel::{brm, comparison, dda, minimum_deviation, parabola, ppc};
 
 /// A command.
 #[derive(Debug)]
@@ -64,6 +65,16 @@ pub(super) fn minimum_deviation_arc(
     let circuit = minimum_deviation::Arc::new(start, end, direction, bits).ok()?;
     let words = walk(&Registers::of(&circuit), direction);
     Some(Command { what: format!("{start:?} {end:?} {direction:?}"), circuit, words })
+}
+
+pub(super) fn parabola_ppc(choice: &mut Rng, bits: u32) -> Option<Command<parabola::Ppc>> {
+    let shape = shape(choice, bits)?;
+    let circuit = parabola::Ppc::new(shape, bits).ok()?;
+    let registers = Registers::of(&circuit);
+    let names = ["p", "je_along", "je_across", "axis_is_y"];
+    let mut words = names.map(|name| registers.get(name)).to_vec();
+    words.push(signs(shape.end()));
+    Some(Command { what: format!("{shape:?}"), circuit, words })
 }
 
 /// The command of an arc whose F begins at 0.
@@ -177,6 +188,25 @@ fn coordinate(choice: &mut Rng, bits: u32) -> i32 {
         _ => choice.i64(0..=largest) >> choice.u32(..bits),
     };
     (if choice.bool() { -magnitude } else { magnitude }) as i32
+}
+
+/// A parabola: to an end point on it or near it half of the time, else to any.
+fn shape(choice: &mut Rng, bits: u32) -> Option<Shape> {
+    let axis = if choice.bool() { Axis::X } else { Axis::Y };
+    let across = i64::from(coordinate(choice, bits));
+    let parameter = i64::from(coordinate(choice, bits));
+    let along = if choice.bool() && parameter != 0 {
+        across * across / (2 * parameter.abs()) + choice.i64(-2..=2)
+    } else {
+        i64::from(coordinate(choice, bits))
+    };
+    let along = along.abs() * parameter.signum();
+    let [along, across, parameter] = [along, across, parameter].map(i32::try_from);
+    let end = match axis {
+        Axis::X => [along.ok()?, across.ok()?],
+        Axis::Y => [across.ok()?, along.ok()?],
+    };
+    Shape::new(axis, parameter.ok()?, end).ok()
 }
 
 /// An arc that circuits of this width serve most of the time: between lattice points of one
