@@ -42,8 +42,8 @@ pub(crate) const LINES_ONLY: Refusal =
 
 /// What only the software does.
 pub(crate) const SOFTWARE_ONLY: Refusal = Refusal::Method(
-    "the hardware model has no circuit for this: it has them for --method ppc and compare-integral \
-     (lines of 2 axes, arcs), dda and min-deviation (lines, arcs) and brm (lines, without --smooth); \
+    "the hardware model has no circuit for this: it has them for --method ppc (lines of 2 \
+     axes, arcs, parabolas), compare-integral (lines of 2 axes, arcs), dda and min-deviation (lines, arcs) and brm (lines, without --smooth); \
      pulses, table and compare need none",
 );
 
@@ -306,8 +306,9 @@ fn parabola<V: Visitor>(
     match *method {
         Method::Ppc { end_rule: EndRule::Larger } => Err(NO_LARGER),
         Method::Ppc { .. } => {
-            width(bits, 32, needed)?;
-            Ok(visitor.visit(parabola::Ppc::new(shape)?, no_circuit, start))
+            let bits = width(bits, 32, needed)?;
+            let circuit = || Ok(hw::parabola::Ppc::new(shape, bits)?);
+            Ok(visitor.visit(parabola::Ppc::new(shape)?, circuit, start))
         }
         Method::MinDeviation => {
             width(bits, 32, needed)?;

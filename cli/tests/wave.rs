@@ -83,7 +83,7 @@ fn position(changes: &Changes, axis: char) -> i64 {
 /// A curve, the circuit that makes it, its pulses in x and in y, and where it ends.
 type Case = (&'static str, &'static str, [usize; 2], [i64; 2]);
 
-const CASES: [Case; 14] = [
+const CASES: [Case; 16] = [
     ("line --to 5,3", "ppc_line", [5, 3], [5, 3]),
     ("line --to -50,31", "ppc_line", [50, 31], [-50, 31]),
     ("line --to 3,3 --end-rule larger", "ppc_line", [3, 2], [3, 2]),
@@ -103,6 +103,8 @@ const CASES: [Case; 14] = [
     ),
     ("line --to 3,-1 --method compare-integral", "comparison_line", [3, 1], [3, -1]),
     ("arc --from 5,0 --to 5,0 --cw --method compare-integral", "comparison_arc", [20, 20], [5, 0]),
+    ("parabola --p 2 --to 4,4", "parabola_ppc", [4, 4], [4, 4]),
+    ("parabola --axis y --p -3 --to 7,-9 --bits 6", "parabola_ppc", [7, 9], [7, -9]),
 ];
 
 #[test]
@@ -328,8 +330,8 @@ fn curves_without_a_circuit_are_refused() {
     for curve in [
         "line --to 5,3,2",
         "line --to 5,3 --method brm --smooth 1",
-        "parabola --p 2 --to 4,4",
         "parabola --p 2 --to 4,4 --method dda",
+        "parabola --p 2 --to 4,4 --method min-deviation",
         "helix --from 5,0 --to 0,5 --rise 3 --cw",
     ] {
         check_refused(&format!("{curve} -o w.vcd"), 2, "has no circuit for this");

@@ -2,11 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 use onepulse_core::dda::Preset;
-use onepulse_core::{Direction, EndRule};
+use onepulse_core::parabola::Shape;
+use onepulse_core::{Axis, Direction, EndRule};
 use onepulse_hwmodel::trace::{
     Bench, Clock, Fst, Kind, Probe, SignalList, Tracer, Vcd, Wave, gtkw, sucl,
 };
-use onepulse_hwmodel::{Circuit, brm, comparison, dda, minimum_deviation, ppc};
+use onepulse_hwmodel::{Circuit, brm, comparison, dda, minimum_deviation, parabola, ppc};
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{BufReader, BufWriter};
@@ -235,6 +236,8 @@ fn every_circuit_is_traced_faithfully() {
     assert_faithful(&minimum_deviation::Arc::new([3, 4], [5, 1], Direction::Ccw, 4).unwrap());
     assert_faithful(&comparison::Line::new([-9, 15], 4).unwrap());
     assert_faithful(&minimum_deviation::Line::new([-9, 4, 13], 4).unwrap());
+    let shape = Shape::new(Axis::Y, -2, [-8, -15]).unwrap();
+    assert_faithful(&parabola::Ppc::new(shape, 4).unwrap());
 }
 
 /// An FST file is written in sections; GTKWave's own reader and wellen find in all of them what the

@@ -14,7 +14,7 @@ use core::cmp::Ordering;
 /// ½√2 pulse inside its circle at most, and ½√2 + 1/(4R) outside.
 ///
 /// The path runs through every lattice point of its circle within the sweep. An end point off
-/// the circle (a program rounded to pulses) is reached too: see [`Sweep`].
+/// the circle (a program rounded to pulses) is reached too: see [`Sweep`](crate::Sweep).
 ///
 /// ```
 /// use onepulse_core::{Direction, comparison::Arc};

@@ -11,7 +11,7 @@ use crate::circle::{self, Due, Judgement};
 /// circle.
 ///
 /// The path runs through every lattice point of its circle within the sweep. An end point off
-/// the circle (a program rounded to pulses) is reached too: see [`Sweep`].
+/// the circle (a program rounded to pulses) is reached too: see [`Sweep`](crate::Sweep).
 ///
 /// ```
 /// use onepulse_core::{Direction, vector::Arc};
