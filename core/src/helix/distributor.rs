@@ -31,7 +31,7 @@ impl Distributor {
         }
     }
 
-    /// [`Distributor::new`], with so many cycles to go and the remainder register in this state,
+    /// `Distributor::new`, with so many cycles to go and the remainder register in this state,
     /// reachable or not.
     #[cfg(feature = "proofs")]
     #[must_use]
