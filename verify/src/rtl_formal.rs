@@ -51,8 +51,12 @@ const MODULES: [&str; 15] = [
     "interpolator",
 ];
 
-/// The register widths that are checked; the properties say nothing of the width.
-const WIDTHS: [u32; 3] = [8, 24, 32];
+/// The register widths that are checked.
+const WIDTHS: [u32; 3] = [NARROWEST, 24, 32];
+
+/// Where every property is asked for, and mutants are looked for: those of wide sums hold for narrow
+/// registers alone, as a solver takes minutes for wide ones.
+const NARROWEST: u32 = 8;
 
 /// Steps from reset, and steps of the induction. One step of induction is all that an invariant
 /// needs; in the interpolator a pulse takes some clocks from the tick to its axis' slot.
@@ -199,7 +203,7 @@ fn mutants(options: &Options) -> Result<(), String> {
         let folder = options.build.join(format!("mutant_{number}"));
         mutant.copy(&options.rtl, &folder)?;
         let name = mutant.name();
-        match check(&folder, &folder, module, WIDTHS[1])? {
+        match check(&folder, &folder, module, NARROWEST)? {
             Some(failed) => {
                 println!("mutant {name}\n    found: {failed}");
                 Ok(())

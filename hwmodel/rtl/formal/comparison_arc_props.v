@@ -56,6 +56,22 @@ module comparison_arc_props #(
             if (pulse[1]) net_y <= negative[1] ? net_y - 1'b1 : net_y + 1'b1;
         end
 
+    // F by its definition: a pulse changes it by c'^2 - c^2, where the coordinate goes from c to c'. A
+    // coordinate that leaves zero downwards ends that.
+    reg  [N+1:0] f = 0;
+    reg          is_out = 1'b0;
+    wire [N+1:0] by_x = shrinks_x_q ? 1 - {1'b0, cx_q, 1'b0} : {1'b0, cx_q, 1'b0} + 1;
+    wire [N+1:0] by_y = shrinks_y_q ? 1 - {1'b0, cy_q, 1'b0} : {1'b0, cy_q, 1'b0} + 1;
+    always @(posedge clk)
+        if (first | load) begin
+            f      <= 0;
+            is_out <= 1'b0;
+        end else if (pulse != 0) begin
+            f      <= f + (pulse[0] ? by_x : 0) + (pulse[1] ? by_y : 0);
+            is_out <= is_out | (pulse[0] & shrinks_x_q & cx_q == 0)
+                             | (pulse[1] & shrinks_y_q & cy_q == 0);
+        end
+
     // What is fed towards zero is t, what is fed away from it a.
     wire signed [N+5:0] now  = {{4{f_q[N+1]}}, f_q};
     wire signed [N+5:0] t    = {6'd0, towards_is_y_q ? cy_q : cx_q};
@@ -88,6 +104,7 @@ module comparison_arc_props #(
         assert (net_x + jex_q == far_x);
         assert (net_y + jey_q == far_y);
         if (done) assert (net_x == far_x && net_y == far_y);
+        if (~is_out && N <= 8) assert (f_q == f);
         // The motion whose pulse is due first, or both.
         // (In narrow registers: sums of so many wide ones take the solver minutes.)
         if (beat && N <= 8) begin
