@@ -56,8 +56,11 @@ proptest! {
     }
 }
 
+/// A pulse, whether F alone decided it, and the place after it.
+type Step = (Pulse, bool, Walk);
+
 /// An arc of one of the methods, step by step.
-type Steps = Box<dyn Iterator<Item = (Pulse, Walk)>>;
+type Steps = Box<dyn Iterator<Item = Step>>;
 
 type Arc = fn([i32; 2], [i32; 2], Direction) -> Steps;
 
@@ -68,7 +71,10 @@ macro_rules! steps {
     ($name:ident, $machine:ty) => {
         fn $name(start: [i32; 2], end: [i32; 2], direction: Direction) -> Steps {
             let mut arc = <$machine>::new(start, end, direction).unwrap();
-            Box::new(std::iter::from_fn(move || arc.step().map(|pulse| (pulse, *arc.walk()))))
+            Box::new(std::iter::from_fn(move || {
+                let is_free = arc.walk().is_free();
+                arc.step().map(|pulse| (pulse, is_free, *arc.walk()))
+            }))
         }
     };
 }
@@ -110,7 +116,7 @@ fn quadrants_by_intervals_have_their_pulses_when_due() {
         let (mut x, mut y) = (due(t, -1).peekable(), due(a, 1).peekable());
         let mut at = [t, a];
         let turn = [-(a as i32), t as i32];
-        for (_, walk) in by_intervals([t as i32, a as i32], turn, Direction::Ccw) {
+        for (_, _, walk) in by_intervals([t as i32, a as i32], turn, Direction::Ccw) {
             // The first quadrant alone, before the axis is reached.
             if at[0] == 0 {
                 break;
@@ -147,13 +153,11 @@ proptest! {
         let radius_squared = (start[0].pow(2) + start[1].pow(2)).into();
         for (method, (steps, name)) in ARCS.iter().enumerate() {
             let mut at = start.map(i64::from);
-            let mut is_free = true;
-            for (Pulse([dx, dy]), walk) in steps(start, end, direction) {
+            for (Pulse([dx, dy]), is_free, _) in steps(start, end, direction) {
                 at = [at[0] + i64::from(dx), at[1] + i64::from(dy)];
                 if is_free {
                     prop_assert!(is_within(method, at, radius_squared), "{}: {:?}", name, at);
                 }
-                is_free = walk.is_free();
             }
             prop_assert_eq!(at, end.map(i64::from), "{}", name);
         }
@@ -173,7 +177,7 @@ proptest! {
         let direction = if clockwise { Direction::Cw } else { Direction::Ccw };
         for (method, (steps, name)) in ARCS.iter().enumerate() {
             let mut at = start.map(i64::from);
-            for (Pulse([dx, dy]), _) in steps(start, start, direction).take(CYCLES) {
+            for (Pulse([dx, dy]), _, _) in steps(start, start, direction).take(CYCLES) {
                 at = [at[0] + i64::from(dx), at[1] + i64::from(dy)];
                 prop_assert!(is_within(method, at, squared[0] + squared[1]), "{}: {:?}", name, at);
             }
