@@ -27,7 +27,7 @@ pub(crate) const HALF_LOAD_ONLY: Refusal = Refusal::Method(
 );
 
 /// A line of more axes by a method of the plane.
-const TWO_AXES_ONLY: Refusal = Refusal::Method(
+pub(crate) const TWO_AXES_ONLY: Refusal = Refusal::Method(
     "this method serves lines of 2 axes only: use --method ppc, dda, brm or min-deviation",
 );
 

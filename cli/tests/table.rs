@@ -204,6 +204,38 @@ fn the_gated_stages_of_the_rate_multiplier() {
     assert_eq!(clocks("Δy"), [2, 4, 6, 10, 12, 14]);
 }
 
+/// The trains are those of 20 and 12 in five stages, 20 = 16 + 4 and 12 = 8 + 4; of each the pulses that
+/// find a 1 in the divider pass.
+#[test]
+fn the_dividers_behind_the_trains() {
+    let rows = cells("line --to 10,6 --method brm --bits 4 --smooth 1");
+    assert_eq!(
+        rows[0][2..],
+        ["train x (20)", "divider x", "Δx", "train y (12)", "divider y", "Δy"]
+    );
+    assert_eq!(rows[1], ["1", "16", "1", "0", "+Δx", "0", "1", ""]);
+    assert_eq!(rows[2], ["2", "8", "0", "0", "", "1", "0", "+Δy"]);
+    assert_eq!(rows[3], ["3", "16", "1", "1", "", "0", "0", ""]);
+    assert_eq!(rows[4], ["4", "4", "1", "0", "+Δx", "1", "1", ""]);
+    assert_eq!(rows.len(), 1 + 32);
+    assert_eq!(rows[32][1], "overflow");
+}
+
+/// A quarter of ten steps, of which z takes three: the remainder runs modulo 10, from 5, by 3.
+#[test]
+fn a_helix_by_cycles() {
+    let rows = cells("helix --from 5,0 --to 0,5 --ccw --rise 3");
+    assert_eq!(column(&rows, "distributor's remainder JR").join(" "), "5 8 1 4 7 0 3 6 9 2 5");
+    let f =
+        [[5, 0], [4, 0], [4, 1], [4, 2], [4, 3], [3, 3], [3, 4], [2, 4], [2, 5], [1, 5], [0, 5]]
+            .map(|[x, y]: [i32; 2]| (x * x + y * y - 25).to_string());
+    assert_eq!(column(&rows, "deviation function F"), f);
+    assert_eq!(column(&rows, "z").join(" "), "0 0 1 1 1 2 2 2 2 3 3");
+    assert_eq!(rows[3], ["2", "1", "-8", "", "+Δy", "+Δz", "4", "1", "1", "8"]);
+    let chinese = table("helix --from 5,0 --to 0,5 --ccw --rise 3 --lang zh");
+    assert!(chinese.starts_with("序号  分配余数 JR  偏差 F  Δx"), "{chinese}");
+}
+
 #[test]
 fn a_line_by_minimum_deviation_as_text() {
     assert_eq!(
@@ -372,8 +404,8 @@ fn wrong_command_lines_are_refused() {
         ("line --to 5,3 --normalize", "--normalize"),
         ("line --to 5,3 --bits 2", "needs 3"),
         ("line --to 5,3,1 --method vector", "--method"),
-        ("helix --from 5,0 --to 0,5 --rise 3 --cw", "there is no table of helices"),
-        ("line --to 5,3 --method brm --smooth 1", "and of --smooth"),
+        ("helix --from 5,0 --to 0,5 --rise 3 --cw --method dda", "--method ppc only"),
+        ("line --to 5,3 --method brm --smooth 30", "--smooth"),
         ("parabola --p 2 --to 4,4 --method vector", "--method"),
         ("parabola --p 2 --to 4,4 --method dda --bits 2", "needs 3"),
         ("arc --from 5,0 --to 0,5 --ccw --method brm", "--method"),

@@ -3,6 +3,7 @@
 mod arcs;
 mod brm;
 mod dda;
+mod helix;
 pub(crate) mod layout;
 mod lines;
 mod parabola;
@@ -13,7 +14,7 @@ use crate::args::TableArguments;
 use crate::choice::{Method, UpdateName};
 use crate::curve::Curve;
 use crate::failure::Failure;
-use crate::machine::{LINES_ONLY, NO_PARABOLA, Refusal, Visitor, with_machines};
+use crate::machine::{LINES_ONLY, NO_PARABOLA, Refusal, TWO_AXES_ONLY, Visitor, with_machines};
 use crate::pulses::say_residual;
 use clap::ValueEnum;
 use onepulse_core::dda::{Radix, Register};
@@ -96,13 +97,11 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<(), Failure> {
             let shape = core::parabola::Shape::new(axis, parameter, to).map_err(write)?;
             parabola(shape, &method, arguments)
         }
-        (_, Curve::Helix { .. }) => Err(no_table()),
+        (_, &Curve::Helix { plane, from, to, direction, rise }) => {
+            let machine = core::Helix::new(plane, from, to, direction, rise).map_err(write)?;
+            print(&helix::HelixTable { machine }, arguments)
+        }
     }
-}
-
-/// What is not shown step by step.
-fn no_table() -> Failure {
-    Failure::Usage("there is no table of helices and of --smooth: pulses serves them".into())
 }
 
 /// A line of any number of axes.
@@ -122,10 +121,15 @@ fn line<const N: usize>(
             let machine = core::dda::Line::new(to, register, preset, normalize).map_err(write)?;
             print(&dda::LineTable { machine }, arguments)
         }
-        Method::Brm { smoothing: 0 } => {
+        Method::Brm { smoothing } => {
             let bits = bits.unwrap_or_else(|| Register::holding(Radix::Binary, largest).digits());
-            let machine = core::brm::Line::new(to, bits).map_err(write)?;
-            print(&brm::LineTable { machine }, arguments)
+            if smoothing == 0 {
+                let machine = core::brm::Line::new(to, bits).map_err(write)?;
+                print(&brm::LineTable { machine }, arguments)
+            } else {
+                let machine = core::brm::Smoothed::new(to, bits, smoothing).map_err(write)?;
+                print(&brm::SmoothedTable { machine }, arguments)
+            }
         }
         Method::MinDeviation => {
             let machine = core::minimum_deviation::Line::new(to).map_err(write)?;
@@ -135,7 +139,7 @@ fn line<const N: usize>(
             let machine = core::ppc::SpaceLine::new(to).map_err(write)?;
             print(&StepTable { machine }, arguments)
         }
-        _ => Err(no_table()),
+        Method::Vector | Method::CompareIntegral => Err(TWO_AXES_ONLY.usage()),
     }
 }
 
