@@ -86,6 +86,15 @@ impl Quadrant {
         }
     }
 
+    /// How often an arc in this direction goes on to the next quadrant until it is in `last`: 0 to 3.
+    pub(crate) const fn quarters_to(self, last: Self, direction: Direction) -> u8 {
+        let quarters = match direction {
+            Direction::Ccw => (last as u8).wrapping_sub(self as u8),
+            Direction::Cw => (self as u8).wrapping_sub(last as u8),
+        };
+        quarters % 4
+    }
+
     /// The two motions of an arc in this quadrant: the columns NR1…NR4 and SR1…SR4 of the
     /// textbooks' tables.
     ///
@@ -158,6 +167,20 @@ mod tests {
                     assert_eq!((x * dy - y * dx).signum(), turn, "{quadrant:?} {direction:?}");
                 }
                 assert_eq!(towards.axis, away.axis.other());
+            }
+        }
+    }
+
+    #[test]
+    fn quarters_are_counted_as_they_are_gone() {
+        for first in [Quadrant::I, Quadrant::II, Quadrant::III, Quadrant::IV] {
+            for direction in [Direction::Cw, Direction::Ccw] {
+                let mut quadrant = first;
+                for quarters in 0..4 {
+                    assert_eq!(first.quarters_to(quadrant, direction), quarters);
+                    quadrant = quadrant.next(direction);
+                }
+                assert_eq!(quadrant, first);
             }
         }
     }

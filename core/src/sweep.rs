@@ -47,12 +47,7 @@ impl Sweep {
         let to = end.map(i64::from);
         let first = Quadrant::entered(from, direction).ok_or(Error::StartInCentre)?;
         let last = Quadrant::left(to, direction).ok_or(Error::EndInCentre)?;
-        let mut crossings_left = 0;
-        let mut quadrant = first;
-        while quadrant != last {
-            quadrant = quadrant.next(direction);
-            crossings_left += 1;
-        }
+        let mut crossings_left = first.quarters_to(last, direction);
         if crossings_left == 0 && !is_ahead(from, to, direction) {
             crossings_left = 4;
         }

@@ -1,7 +1,7 @@
 //! Circular arc by digital integration, as the textbooks have it.
 
 use super::{Preset, Radix, Register};
-use crate::{Direction, Error, Pulse, Sweep};
+use crate::{Direction, Error, Feeds, Pulse, Sweep};
 
 /// An arc about the origin with the textbook's circuit: both integrators add in the same clock.
 ///
@@ -142,13 +142,13 @@ impl Arc {
         let modulus = self.register.modulus();
         let jv = self.integrands();
         let stands = self.sweep.stands(self.position);
-        let feeds = self.sweep.feeds();
+        let Feeds { towards, away } = self.sweep.feeds();
         let mut pulse = Pulse::NONE;
-        for feed in [feeds.towards, feeds.away] {
-            let axis = feed.axis.index();
+        for axis in 0..2 {
             if stands[axis] {
                 continue;
             }
+            let feed = if towards.axis.index() == axis { towards } else { away };
             let sum = self.jr[axis] + jv[axis];
             let carry = sum >= modulus;
             self.jr[axis] = if carry { sum - modulus } else { sum };

@@ -3,7 +3,7 @@
 use super::Error;
 
 /// The stack is below the data. The harnesses' frames are small: what is deeper is a failed property.
-pub(crate) const STACK_BYTES: u32 = 2048;
+pub(crate) const STACK_BYTES: u32 = 1024;
 
 /// The bytes from the end of the stack on.
 #[derive(Debug, Default)]
