@@ -153,7 +153,7 @@ mod tests {
             let out: Vec<_> = ramp.ramp((0..count).map(|_| [1.0])).map(|[x]| x).collect();
             let keep = |k: f64| f64::powf(1.0 - 1.0 / ratio, k);
             for k in 0..count {
-                prop_assert!((out[k as usize] - (1.0 - keep(k as f64 + 1.0))).abs() < 1e-12);
+                prop_assert!((out[k as usize] - (1.0 - keep(f64::from(k) + 1.0))).abs() < 1e-12);
             }
             let top = out[count as usize - 1];
             for (k, speed) in out[count as usize..out.len().max(count as usize + 1) - 1].iter().enumerate() {

@@ -60,7 +60,7 @@ impl Linear {
             }
             // Added afresh each time, so that rounding leaves nothing behind.
             let sum = |axis: usize| window.iter().map(|w: &[f64; AXES]| w[axis]).sum::<f64>();
-            Some(std::array::from_fn(|axis| sum(axis) / self.periods as f64))
+            Some(std::array::from_fn(|axis| sum(axis) / f64::from(self.periods)))
         })
     }
 
@@ -75,9 +75,9 @@ impl Linear {
         // The mean of cos(m·θ/2), m = K − 1, K − 3, … 1 − K, which is that quotient; what each of them
         // lacks to 1 is added, as a difference would cancel.
         let half = speed / radius * self.period / 2.0;
-        let last = self.periods as f64 - 1.0;
-        let lack = |j: u32| 2.0 * ((last - 2.0 * j as f64) * half / 2.0).sin().powi(2);
-        let loss = (0..self.periods).map(lack).sum::<f64>() / self.periods as f64;
+        let last = f64::from(self.periods) - 1.0;
+        let lack = |j: u32| 2.0 * ((last - 2.0 * f64::from(j)) * half / 2.0).sin().powi(2);
+        let loss = (0..self.periods).map(lack).sum::<f64>() / f64::from(self.periods);
         // Past 1 the circle is there again, half a turn behind.
         radius * loss.min(2.0 - loss)
     }
@@ -90,7 +90,7 @@ impl Linear {
     /// are level, at j = (K − 1)/2: v·τ/8, and with an odd K, which has a sample there, 1 − 1/K² of that.
     #[must_use]
     pub fn corner_error(&self, speed: f64) -> f64 {
-        let periods = self.periods as f64;
+        let periods = f64::from(self.periods);
         let whole = speed * self.period / 8.0;
         if self.periods % 2 == 0 { whole * periods } else { whole * (periods - periods.recip()) }
     }
@@ -119,7 +119,7 @@ mod tests {
             let found = ramp.circle_error(radius, radius * angle / PERIOD);
             prop_assert!((loss / found - 1.0).abs() < 1e-6, "{} {}", loss, found);
             let x = angle / 2.0;
-            let closed = radius * (1.0 - ((periods as f64 * x).sin() / (periods as f64 * x.sin())).abs());
+            let closed = radius * (1.0 - ((f64::from(periods) * x).sin() / (f64::from(periods) * x.sin())).abs());
             prop_assert!((closed / found - 1.0).abs() < 1e-9, "{} {}", closed, found);
         }
 
@@ -146,7 +146,7 @@ mod tests {
     fn short_periods_come_near_the_textbook() {
         let (radius, speed, time): (f64, f64, f64) = (50.0, 100.0, 0.05);
         for (periods, within) in [(10, 1.1e-2), (50, 1e-3), (500, 1e-5)] {
-            let ramp = Linear::new(periods, time / periods as f64).unwrap();
+            let ramp = Linear::new(periods, time / f64::from(periods)).unwrap();
             let half = speed / radius * time / 2.0;
             let continuous = radius * (1.0 - half.sin() / half);
             let textbook = (time * speed).powi(2) / (24.0 * radius);

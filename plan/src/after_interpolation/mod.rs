@@ -91,7 +91,8 @@ mod tests {
         periods: u32,
         ramp: impl FnOnce(Vec<[f64; 2]>) -> I,
     ) -> f64 {
-        let on = |k: u32| [radius * (angle * k as f64).cos(), radius * (angle * k as f64).sin()];
+        let on =
+            |k: u32| [radius * (angle * f64::from(k)).cos(), radius * (angle * f64::from(k)).sin()];
         let way = increments(on(0), (1..=periods).map(on)).collect();
         let end = points(on(0), ramp(way)).nth(periods as usize - 1).unwrap();
         end[0].hypot(end[1])
@@ -107,7 +108,7 @@ mod tests {
     ) -> f64 {
         let legs = [[step, 0.0], [0.0, step]];
         let way = legs.into_iter().flat_map(|way| (0..leg).map(move |_| way)).collect();
-        let length = step * leg as f64;
+        let length = step * f64::from(leg);
         let distance = |[x, y]: [f64; 2]| {
             let first = (x - x.clamp(-length, 0.0)).hypot(y);
             let second = x.hypot(y - y.clamp(0.0, length));
@@ -116,7 +117,7 @@ mod tests {
         let mut at = [-length, 0.0];
         let mut most = 0.0_f64;
         for [dx, dy] in ramp(way) {
-            for cut in (1..=cuts).map(|cut| cut as f64 / cuts as f64) {
+            for cut in (1..=cuts).map(|cut| f64::from(cut) / f64::from(cuts)) {
                 most = most.max(distance([at[0] + dx * cut, at[1] + dy * cut]));
             }
             at = [at[0] + dx, at[1] + dy];
