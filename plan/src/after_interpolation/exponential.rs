@@ -76,7 +76,8 @@ impl Exponential {
         })
     }
 
-    /// What a circle's radius loses, in millimetres, to a speed in mm/s, after the start has died away.
+    /// The contour error of a circle: what its radius loses, in millimetres, to a speed in mm/s, after the
+    /// start has died away.
     ///
     /// With the angle of a period θ = v·T/R, the ramp takes the points of the circle to one about the same
     /// centre, of the radius R/√(1 + q), q = 4·(τ/T)·(τ/T − 1)·sin²(θ/2). For short periods that is the
@@ -91,8 +92,8 @@ impl Exponential {
         radius * q / (root * (1.0 + root))
     }
 
-    /// The largest distance from the path of a corner of 90° between two lines, in millimetres, gone round
-    /// at a steady speed in mm/s, with a point in the corner itself.
+    /// The contour error of a corner of 90° between two lines: the largest distance from their path, in
+    /// millimetres, gone round at a steady speed in mm/s, with a point in the corner itself.
     ///
     /// The first axis has D = v·(τ − T) left at the corner and j periods later D·(1 − α)^j; the other one is
     /// then v·j·T − D·(1 − (1 − α)^j) along its line. The less of the two is the distance, most where they

@@ -64,7 +64,8 @@ impl Linear {
         })
     }
 
-    /// What a circle's radius loses, in millimetres, to a speed in mm/s, after the start has died away.
+    /// The contour error of a circle: what its radius loses, in millimetres, to a speed in mm/s, after the
+    /// start has died away.
     ///
     /// With the angle of a period θ = v·T/R, the ramp takes the points of the circle to one about the same
     /// centre, of the radius R·|sin(K·θ/2)/(K·sin(θ/2))|. For short periods that is the continuous mean's
@@ -82,8 +83,8 @@ impl Linear {
         radius * loss.min(2.0 - loss)
     }
 
-    /// The largest distance from the path of a corner of 90° between two lines, in millimetres, gone round
-    /// at a steady speed in mm/s, with a point in the corner itself.
+    /// The contour error of a corner of 90° between two lines: the largest distance from their path, in
+    /// millimetres, gone round at a steady speed in mm/s, with a point in the corner itself.
     ///
     /// Of the j-th period after the corner, the first axis has v·T·(K − j)·(K − j − 1)/(2K) left, and the
     /// other one is v·T·j·(j + 1)/(2K) along its line. The less of the two is the distance, most where they

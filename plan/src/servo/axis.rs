@@ -86,7 +86,7 @@ impl Axis {
         speed / self.settings.gain
     }
 
-    /// What a circle's radius loses, in millimetres, to a speed in mm/s, after the start has died away: two
+    /// The contour error of a circle: what its radius loses, in millimetres, to a speed in mm/s, after the start has died away: two
     /// such axes make a circle of the radius R·|G(exp(jθ))| of it, with θ = v·T/R, the angle of a period.
     /// Less than nothing where the loop's resonance makes it larger.
     ///
@@ -110,7 +110,7 @@ impl Axis {
     }
 }
 
-/// How far two axes are off a line, in millimetres, at a steady speed in mm/s, if their gains in 1/s differ:
+/// The contour error (轮廓误差) of a line, in millimetres, at a steady speed in mm/s, if the gains in 1/s differ:
 /// v·sin(2α)/2·(1/K₁ − 1/K₂), with the angle α of the line from the first axis in radians. To the left of
 /// the motion, if positive.
 ///

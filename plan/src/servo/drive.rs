@@ -7,7 +7,7 @@ pub(super) struct Drive {
     pub(super) rise: f64,
     /// And what of the way: w.
     pub(super) way: f64,
-    /// What of the way a command of one period adds to the next, over what it would without the lag: y.
+    /// Of a command of one period, the way in the next one less a times that in its own: y.
     pub(super) after: f64,
 }
 

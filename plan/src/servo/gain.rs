@@ -28,10 +28,11 @@ pub fn stable_gain(drive_time_constant: f64, period: f64) -> f64 {
 /// drive's time constant and a sample period in seconds.
 ///
 /// Up to here both roots of D(z) are real and not negative, so that the pulse response of 1/D(z) has no
-/// negative term, nor has that of G(z); beyond, they are complex or negative, and the axis swings. The
-/// discriminant (1 + a − κ·w)² − 4·(a + κ·y) is zero at κ = (1 − a)²/(b + √(b² − w²·(1 − a)²)), b = w·(1 + a) + 2y. For
-/// the ideal drive that is κ = 1. For short periods it is the textbooks' 4·K_v·τ_d = 1; of a sampled loop
-/// that asks a little too much: 4·K_v·(τ_d + T/4) ≤ 1 or so is needed.
+/// negative term, nor has that of G(z); beyond, they are complex or negative, and the axis swings.
+///
+/// The discriminant (1 + a − κ·w)² − 4·(a + κ·y) is zero at κ = (1 − a)²/(b + √(b² − w²·(1 − a)²)), with
+/// b = w·(1 + a) + 2y. For the ideal drive that is κ = 1. For short periods it is the continuous loop's
+/// 4·K_v·τ_d = 1; a sampled loop does not bear quite that: 4·K_v·(τ_d + T/4) ≤ 1, to the next power of T.
 #[must_use]
 pub fn aperiodic_gain(drive_time_constant: f64, period: f64) -> f64 {
     let Drive { rise, way, after } = Drive::new(drive_time_constant, period);
@@ -94,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn the_textbooks_aperiodic_gain_asks_too_much_of_a_sampled_loop() {
+    fn a_sampled_loop_does_not_bear_the_continuous_ones_gain() {
         // 4·K_v·τ_d = 1 with a drive of one period: past the command by half a per cent of the way.
         let gain = 1.0 / (4.0 * PERIOD);
         assert!(gain > aperiodic_gain(PERIOD, PERIOD));
