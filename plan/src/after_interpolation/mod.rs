@@ -3,7 +3,8 @@
 //! The interpolator runs at the programmed feed and knows nothing of ramps. What it gives an axis in each
 //! sample period goes through a filter, which starts and stops the axis gently and loses nothing: the
 //! increments that come out add up to those that went in. All axes here have the same filter. On a line
-//! their increments then keep their proportion, and the axes their path. Curves and corners are left:
+//! their increments then keep their proportion, and the axes their path. What is left are the contour
+//! errors (轮廓误差) of curves and corners:
 //!
 //! | speed v, ramp time τ, much longer than a period | circle of radius R | corner of 90° |
 //! |---|---|---|

@@ -86,9 +86,11 @@ impl Axis {
         speed / self.settings.gain
     }
 
-    /// The contour error of a circle: what its radius loses, in millimetres, to a speed in mm/s, after the start has died away: two
-    /// such axes make a circle of the radius R·|G(exp(jθ))| of it, with θ = v·T/R, the angle of a period.
-    /// Less than nothing where the loop's resonance makes it larger.
+    /// The contour error of a circle: what its radius loses, in millimetres, to a speed in mm/s, after the
+    /// start has died away.
+    ///
+    /// Two such axes make a circle of the radius R·|G(exp(jθ))| of it, with θ = v·T/R, the angle of a
+    /// period. The loss is negative where the loop's resonance makes the circle larger.
     ///
     /// Where θ and v/(R·K_v) are small, v²/(2R)·(1/K_v² − (T + 2·τ_d)/K_v): without a period and with an
     /// ideal drive the textbooks' v²/(2R·K_v²).
@@ -110,9 +112,9 @@ impl Axis {
     }
 }
 
-/// The contour error (轮廓误差) of a line, in millimetres, at a steady speed in mm/s, if the gains in 1/s differ:
-/// v·sin(2α)/2·(1/K₁ − 1/K₂), with the angle α of the line from the first axis in radians. To the left of
-/// the motion, if positive.
+/// The contour error of a line, in millimetres, at a steady speed in mm/s, where the gains of the two axes,
+/// in 1/s, differ: v·sin(2α)/2·(1/K₁ − 1/K₂), with the angle α of the line from the first axis in radians.
+/// To the left of the motion if positive.
 ///
 /// Each axis is behind by its own v/K_v; equal gains leave the point on the line.
 #[must_use]
