@@ -1,5 +1,9 @@
 //! Planning: from the text of an NC program to curves in whole pulses.
 //!
+//! The other way of interpolating, in millimetres and seconds, is that of the loops closed by software:
+//! [`sampling`] gives the points of a curve, [`after_interpolation`] the axes their ramps, and [`servo`]
+//! what the axes make of it.
+//!
 //! ```
 //! use onepulse_plan::{Curve, Machine, gcode::Program};
 //!
@@ -11,12 +15,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod after_interpolation;
 mod diagnostic;
 pub mod gcode;
 mod length;
 mod machine;
 mod motion;
 pub mod sampling;
+pub mod servo;
 
 pub use diagnostic::Diagnostic;
 pub use length::{Length, LengthError};
