@@ -26,7 +26,7 @@ pub(super) struct Judge {
 }
 
 /// The files of the machines, and the modules of the harnesses that run each.
-pub(super) const FILES: [(&str, &[&str]); 17] = [
+pub(super) const FILES: [(&str, &[&str]); 27] = [
     ("core/src/ppc/line.rs", &["ppc_line"]),
     ("core/src/ppc/arc.rs", &["ppc_arc"]),
     ("core/src/dda/line.rs", &["dda_line"]),
@@ -39,6 +39,16 @@ pub(super) const FILES: [(&str, &[&str]); 17] = [
     ("core/src/vector/arc.rs", &["vector_arc"]),
     ("core/src/comparison/line.rs", &["comparison_line"]),
     ("core/src/comparison/arc.rs", &["comparison_arc"]),
+    ("core/src/parabola/shape.rs", &["parabola"]),
+    ("core/src/parabola/way.rs", &["parabola"]),
+    ("core/src/parabola/ppc.rs", &["parabola"]),
+    ("core/src/parabola/minimum_deviation.rs", &["parabola"]),
+    ("core/src/parabola/dda.rs", &["parabola"]),
+    ("core/src/helix.rs", &["helix"]),
+    ("core/src/helix/distributor.rs", &["helix"]),
+    ("core/src/helix/screw.rs", &["helix"]),
+    ("core/src/ppc/space_line.rs", &["space_line"]),
+    ("core/src/brm/smoothed.rs", &["brm_smoothed"]),
     ("core/src/circle.rs", &["circle"]),
     ("core/src/walk.rs", &["ppc_arc", "circle"]),
     ("core/src/ramp/trapezoid.rs", &["ramp_trapezoid"]),
