@@ -1,5 +1,8 @@
 //! Planning: from the text of an NC program to curves in whole pulses.
 //!
+//! [`gcode`] reads the program, block by block. For controls that sample, [`sampling`] makes the points
+//! of a line or an arc at a constant feed, and [`speed`] plans the acceleration through a whole program.
+//!
 //! ```
 //! use onepulse_plan::{Curve, Machine, gcode::Program};
 //!
@@ -17,6 +20,7 @@ mod length;
 mod machine;
 mod motion;
 pub mod sampling;
+pub mod speed;
 
 pub use diagnostic::Diagnostic;
 pub use length::{Length, LengthError};
