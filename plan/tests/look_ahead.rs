@@ -426,4 +426,25 @@ proptest! {
         }).collect();
         assert_joined(&program, &planned(&program, jerk), jerk);
     }
+
+    /// A program that ends less than a rounding of the speed behind the first horizon: all is planned
+    /// again, and comes out nearly the same.
+    #[test]
+    fn plans_that_differ_by_roundings_are_joined(seed: u64, is_smooth: bool, tail in 1..8_usize) {
+        let jerk = is_smooth.then_some(1e12);
+        let mut chance = Chance(seed);
+        let program: Vec<_> = (0..2 * AHEAD + tail).map(|k| Made {
+            length: if k >= 2 * AHEAD {
+                1e-12
+            } else if k == 0 || chance.share() < 0.1 {
+                chance.magnitude(3.0, 6.0)
+            } else {
+                chance.magnitude(-11.0, -7.0)
+            },
+            steady: 1e6,
+            start: [1.0, 0.0],
+            end: [1.0, 0.0],
+        }).collect();
+        assert_joined(&program, &planned(&program, jerk), jerk);
+    }
 }

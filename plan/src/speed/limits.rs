@@ -223,6 +223,11 @@ mod tests {
             }).fold(0.0, f64::max);
             prop_assert!(tried <= longest * (1.0 + 1e-12), "{} {}", tried, longest);
             prop_assert!(tried >= longest * (1.0 - 1e-3), "{} {}", tried, longest);
+            // To the last digit, also where all ways are nearly the same.
+            for k in 0..100 {
+                let low = high / 3.0 * (1.0 - f64::from(k) * 1e-9);
+                prop_assert!(limits.way(low, high) <= limits.longest_way(low, high), "{}", k);
+            }
         }
 
         #[test]

@@ -146,6 +146,30 @@ mod tests {
         }
     }
 
+    /// A bound that came out a rounding lower than in the pass before, and a block whose change of speed
+    /// is a few roundings.
+    #[test]
+    fn what_rounding_unjoins_stays_as_it_was_planned() {
+        let along = [1.0, 0.0];
+        let limits = Limits::new(1000.0, None, 1.0, 1.0).unwrap();
+        let block = Block::new(1e-9, 1e6, along, along).unwrap();
+        let exit = 1e4_f64;
+        let entry = limits.reach(exit, block.length());
+        assert!(entry > exit);
+        let lower = f64::from_bits(exit.to_bits() - 1);
+        assert!(limits.way(lower, entry) > block.length());
+        let mut look_ahead = LookAhead::new([], limits);
+        for (bound, entry) in [(entry, entry), (lower, exit)] {
+            look_ahead.held.push_back(Held { block, corner: 1e6, bound, entry });
+        }
+        look_ahead.pass_forward();
+        assert_eq!(look_ahead.held[1].entry, exit);
+        // What is joined is taken, and higher.
+        look_ahead.held[1].bound = entry;
+        look_ahead.pass_forward();
+        assert_eq!(look_ahead.held[1].entry, entry);
+    }
+
     /// What the short blocks of a horizon can stop from is less than the steady speed; more than that
     /// is not given, as the program may end behind it.
     #[test]
