@@ -192,6 +192,9 @@ mod tests {
         // 0.05 s of jerk to 500 mm/s², and as much back: 12.5 mm/s each.
         assert_near(limits.time(25.0, 0.0), 0.1);
         assert_near(limits.way(25.0, 0.0), 1.25);
+        // Over a short block j·L²/(4v²) more, which is j·L/(4v) a second.
+        let gained = limits.reach(100.0, 0.01) - 100.0;
+        assert!((gained / (1e4 * 1e-4 / 4e4) - 1.0).abs() < 1e-6, "{gained}");
     }
 
     #[test]

@@ -21,6 +21,10 @@ pub const AHEAD: usize = 128;
 /// can take more way: an entry speed once given must stay joined when more of the program is known and
 /// the exit speed rises.
 ///
+/// An S-curve has no acceleration where a block ends. Over blocks much shorter than a change of speed
+/// that costs time: there the speed v rises by about j·L/(4v) a second, instead of a. Free curves in
+/// very short lines are faster with linear ramps.
+///
 /// Blocks are planned in strides of [`AHEAD`], each of which passes over twice as many: either pass
 /// visits a block at most twice, whatever the program.
 #[derive(Clone, Debug)]
