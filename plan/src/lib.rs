@@ -1,8 +1,9 @@
 //! Planning: from the text of an NC program to curves in whole pulses.
 //!
-//! The other way of interpolating, in millimetres and seconds, is that of the loops closed by software:
-//! [`sampling`] gives the points of a curve, [`after_interpolation`] the axes their ramps, and [`servo`]
-//! what the axes make of it.
+//! [`gcode`] reads the program, block by block. The other way of interpolating, in millimetres and seconds,
+//! is that of the loops closed by software: [`speed`] plans the acceleration through a whole program,
+//! [`sampling`] makes the points of a line or an arc at a constant feed, [`after_interpolation`] gives
+//! the axes their ramps, and [`servo`] says what the axes make of it.
 //!
 //! ```
 //! use onepulse_plan::{Curve, Machine, gcode::Program};
@@ -23,6 +24,7 @@ mod machine;
 mod motion;
 pub mod sampling;
 pub mod servo;
+pub mod speed;
 
 pub use diagnostic::Diagnostic;
 pub use length::{Length, LengthError};
