@@ -181,6 +181,9 @@ pub(crate) struct SampleArguments {
     pub(crate) errors: bool,
 }
 
+/// The heading of the options that belong to `--two-level`.
+const TWO_LEVELS: &str = "Two levels";
+
 #[derive(Debug, Args)]
 pub(crate) struct RunArguments {
     /// The G-code program
@@ -203,6 +206,19 @@ pub(crate) struct RunArguments {
     /// The pulse equivalent in millimetres
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     pub(crate) pulse_mm: Option<String>,
+    /// Coarse and fine interpolation: sample every block once a period, and make a DDA line of 2^n
+    /// accumulations of every sample. The last sample of a block, a shorter way, takes a whole period too
+    #[arg(long, help_heading = TWO_LEVELS)]
+    pub(crate) two_level: bool,
+    /// The sample period in milliseconds [default: 8]
+    #[arg(long, value_name = "MS", help_heading = TWO_LEVELS, allow_negative_numbers = true)]
+    pub(crate) period: Option<String>,
+    /// How the samples of an arc are found [default: 7m]
+    #[arg(long, value_enum, help_heading = TWO_LEVELS)]
+    pub(crate) sampling: Option<SamplingName>,
+    /// The largest chord error of an arc: its feed is reduced to keep it
+    #[arg(long, value_name = "MM", help_heading = TWO_LEVELS, allow_negative_numbers = true)]
+    pub(crate) tolerance: Option<String>,
     #[command(flatten)]
     pub(crate) options: Options,
 }

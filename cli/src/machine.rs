@@ -9,6 +9,7 @@ use onepulse_core::{Direction, EndRule, Error, Helix, Plane, Pulse, Sweep};
 use onepulse_core::{brm, comparison, dda, minimum_deviation, ppc, vector};
 use onepulse_hwmodel::trace::Probe;
 use onepulse_hwmodel::{self as hw, Circuit};
+use onepulse_plan::sampling::SamplingError;
 use std::fmt;
 
 /// Why no machine serves a curve.
@@ -18,6 +19,8 @@ pub(crate) enum Refusal {
     Method(&'static str),
     /// The machine of that method refuses the curve or the registers.
     Machine(Error),
+    /// The curve cannot be sampled.
+    Sampling(SamplingError),
 }
 
 /// The staggered circle with another preset.
@@ -83,6 +86,7 @@ impl fmt::Display for Refusal {
         match self {
             Self::Method(why) => f.write_str(why),
             Self::Machine(why) => why.fmt(f),
+            Self::Sampling(why) => why.fmt(f),
         }
     }
 }
@@ -90,6 +94,12 @@ impl fmt::Display for Refusal {
 impl From<Error> for Refusal {
     fn from(why: Error) -> Self {
         Self::Machine(why)
+    }
+}
+
+impl From<SamplingError> for Refusal {
+    fn from(why: SamplingError) -> Self {
+        Self::Sampling(why)
     }
 }
 

@@ -8,22 +8,38 @@ use onepulse_plan::Length;
 use onepulse_plan::sampling::{
     Arc, ArcMethod, Line, SamplingError, chord_error, step, textbook_chord_error,
 };
+use serde::Deserialize;
 use std::io::{self, BufWriter, Write};
 
-/// The methods by their names on the command line.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+/// The methods by their names on the command line and in `machine.toml`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub(crate) enum SamplingName {
     /// Time division, with the direction of 45° in the middle of the step
     #[default]
     #[value(name = "7m")]
+    #[serde(rename = "7m")]
     SevenM,
     /// Extended digital integration
     #[value(name = "7360")]
+    #[serde(rename = "7360")]
     ExtendedDda,
     /// Along the tangent, closed by the circle's equation
     DirectFunction,
     /// Second order recursion
     SecondOrder,
+}
+
+impl SamplingName {
+    /// As it is written.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::SevenM => "7m",
+            Self::ExtendedDda => "7360",
+            Self::DirectFunction => "direct-function",
+            Self::SecondOrder => "second-order",
+        }
+    }
 }
 
 impl From<SamplingName> for ArcMethod {

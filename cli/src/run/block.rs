@@ -6,18 +6,25 @@ use crate::failure::Failure;
 use crate::machine::{Refusal, Visitor};
 use onepulse_core::Pulse;
 use onepulse_hwmodel::Circuit;
-use onepulse_plan::Motion;
+use onepulse_plan::{self as plan, Motion};
 
-/// A block about to be run.
+/// A block on its way: one curve, or the lines of its samples one after the other.
 pub(super) struct BlockRun<'a> {
-    pub(super) motion: &'a Motion,
+    motion: &'a Motion,
     /// What the interpolator's coordinates count from.
-    pub(super) origin: [i64; 2],
+    origin: [i64; 2],
     /// How far the machine stands from where the program believes it.
-    pub(super) short: [i64; 2],
-    pub(super) deviation: Deviation,
-    pub(super) cycles_per_second: f64,
-    pub(super) outputs: &'a mut Outputs,
+    short: [i64; 2],
+    cycles_per_second: f64,
+    outputs: &'a mut Outputs,
+    /// Where the path stands, from the origin.
+    position: [i64; 2],
+    cycles: u64,
+    pulses: [u64; 2],
+    deviation: Deviation,
+    /// The largest distance of the path from the lines of the samples.
+    fine: f64,
+    disagreement: Option<u64>,
 }
 
 /// What came of a block.
@@ -26,74 +33,137 @@ pub(super) struct BlockResult {
     pub(super) cycles: u64,
     pub(super) pulses: [u64; 2],
     pub(super) deviation: f64,
+    /// The largest distance of the path from the lines of the samples; 0 if there are none.
+    pub(super) fine: f64,
     pub(super) residual: [i64; 2],
     pub(super) seconds: f64,
     /// The first cycle in which hardware model and software differ.
     pub(super) disagreement: Option<u64>,
 }
 
-impl Visitor for BlockRun<'_> {
-    type Output = Result<BlockResult, Failure>;
+impl<'a> BlockRun<'a> {
+    /// Begins a block of which no pulse is made yet.
+    pub(super) fn begin(
+        motion: &'a Motion,
+        short: [i64; 2],
+        deviation: Deviation,
+        cycles_per_second: f64,
+        outputs: &'a mut Outputs,
+    ) -> Result<Self, Failure> {
+        outputs.begin(motion, cycles_per_second)?;
+        let origin = match motion.curve {
+            plan::Curve::Line => motion.from.map(i64::from),
+            plan::Curve::Arc { centre, .. } => centre,
+        };
+        Ok(Self {
+            motion,
+            origin,
+            short,
+            cycles_per_second,
+            outputs,
+            position: [0, 1].map(|axis| i64::from(motion.from[axis]) - origin[axis]),
+            cycles: 0,
+            pulses: [0; 2],
+            deviation,
+            fine: 0.0,
+            disagreement: None,
+        })
+    }
+
+    /// The block's next curve: all of it, or the line of a sample, which has a deviation of its own.
+    pub(super) fn curve(&mut self, from_line: Option<Deviation>) -> CurveRun<'_, 'a> {
+        CurveRun { start: self.position, block: self, from_line }
+    }
+
+    /// Whether hardware model and software have sent the same pulses so far.
+    pub(super) fn agrees(&self) -> bool {
+        self.disagreement.is_none()
+    }
+
+    /// Ends the block.
+    pub(super) fn end(self) -> Result<BlockResult, Failure> {
+        let Self { motion, origin, position, cycles, pulses, fine, disagreement, .. } = self;
+        self.outputs.end()?;
+        let residual =
+            [0, 1].map(|axis| i64::from(motion.to[axis]) - origin[axis] - position[axis]);
+        let seconds = cycles as f64 / self.cycles_per_second;
+        let deviation = self.deviation.in_pulses();
+        Ok(BlockResult { cycles, pulses, deviation, fine, residual, seconds, disagreement })
+    }
+}
+
+/// A curve of a block about to be run.
+pub(super) struct CurveRun<'r, 'a> {
+    block: &'r mut BlockRun<'a>,
+    start: [i64; 2],
+    from_line: Option<Deviation>,
+}
+
+impl Visitor for CurveRun<'_, '_> {
+    type Output = Result<(), Failure>;
 
     fn visit<S, C, const N: usize>(
         self,
         software: S,
         circuit: impl FnOnce() -> Result<C, Refusal>,
-        start: [i64; N],
+        _: [i64; N],
     ) -> Self::Output
     where
         S: Iterator<Item = Pulse<N>>,
         C: Circuit<N>,
     {
         // A program's curves lie in a plane.
-        let Some(start) = start.first_chunk::<2>().copied() else {
+        if N < 2 {
             return Err(Failure::Fault("a curve of fewer than two axes".into()));
-        };
+        }
         let circuit = circuit().map_err(|why| Failure::Fault(why.to_string()))?;
-        self.run(software, circuit, start)
+        self.run(software, circuit)
     }
 }
 
-impl BlockRun<'_> {
-    fn run<S, C, const N: usize>(
-        mut self,
-        mut software: S,
-        mut circuit: C,
-        start: [i64; 2],
-    ) -> Result<BlockResult, Failure>
+impl CurveRun<'_, '_> {
+    fn run<S, C, const N: usize>(self, mut software: S, mut circuit: C) -> Result<(), Failure>
     where
         S: Iterator<Item = Pulse<N>>,
         C: Circuit<N>,
     {
-        let mut position = start;
-        let mut cycles = 0;
-        let mut pulses = [0; 2];
-        self.outputs.begin::<C, N>(self.motion, self.cycles_per_second)?;
-        let disagreement = loop {
-            let due = match cycle(&mut software, &mut circuit, |c| self.outputs.clock(c)) {
+        let Self { block, start, mut from_line } = self;
+        let before = block.cycles;
+        block.outputs.begin_curve::<C, N>();
+        loop {
+            let due = match cycle(&mut software, &mut circuit, |c| block.outputs.clock(c)) {
                 Cycle::Sent(due) => due,
-                Cycle::Over => break None,
-                Cycle::Differs => break Some(cycles + 1),
-            };
-            cycles += 1;
-            if !due.is_none() {
-                let pulse = [due.0[0], due.0[1]];
-                for axis in 0..2 {
-                    position[axis] += i64::from(pulse[axis]);
-                    pulses[axis] += u64::from(pulse[axis].unsigned_abs());
+                Cycle::Over => break,
+                Cycle::Differs => {
+                    block.disagreement = Some(block.cycles + 1);
+                    break;
                 }
-                self.deviation.reach(position);
-                let absolute =
-                    [0, 1].map(|axis| self.origin[axis] + position[axis] - self.short[axis]);
-                self.outputs.pulse(cycles, Pulse(pulse), absolute)?;
+            };
+            block.cycles += 1;
+            if !due.is_none() {
+                block.pulse(Pulse([due.0[0], due.0[1]]))?;
+                if let Some(from_line) = &mut from_line {
+                    from_line.reach([0, 1].map(|axis| block.position[axis] - start[axis]));
+                }
             }
-        };
-        let seconds = cycles as f64 / self.cycles_per_second;
-        self.outputs.end(seconds, &circuit)?;
-        let residual =
-            [0, 1].map(|axis| i64::from(self.motion.to[axis]) - self.origin[axis] - position[axis]);
-        let deviation = self.deviation.in_pulses();
-        Ok(BlockResult { cycles, pulses, deviation, residual, seconds, disagreement })
+        }
+        block.fine = from_line.map_or(0.0, Deviation::in_pulses).max(block.fine);
+        let seconds = (block.cycles - before) as f64 / block.cycles_per_second;
+        block.outputs.end_curve(seconds, &circuit)
+    }
+}
+
+impl BlockRun<'_> {
+    /// Takes the pulses of the cycle that was counted last.
+    fn pulse(&mut self, pulse: Pulse) -> Result<(), Failure> {
+        for axis in 0..2 {
+            self.position[axis] += i64::from(pulse.0[axis]);
+            self.pulses[axis] += u64::from(pulse.0[axis].unsigned_abs());
+        }
+        self.deviation.reach(self.position);
+        let absolute =
+            [0, 1].map(|axis| self.origin[axis] + self.position[axis] - self.short[axis]);
+        self.outputs.pulse(self.cycles, pulse, absolute)
     }
 }
 

@@ -1,9 +1,11 @@
 //! The machine that a program runs on: `machine.toml`, and what the command line overrides.
 
 use super::speed::Speed;
+use super::two_level::TwoLevel;
 use crate::args::{Options, RunArguments};
 use crate::choice::{EndRuleName, MethodName, PresetName, UpdateName};
 use crate::failure::Failure;
+use crate::sample::SamplingName;
 use onepulse_plan::{Integers, Length, Machine, Motion, Rate};
 use serde::Deserialize;
 use std::fs;
@@ -12,26 +14,34 @@ use std::fs;
 #[derive(Clone, Debug)]
 pub(super) struct Config {
     pub(super) machine: Machine,
+    /// The width of the registers; of two levels, the most that the samples of a block may take.
     pub(super) bits: u32,
     pub(super) options: Options,
+    /// Where blocks are sampled first.
+    pub(super) two_level: Option<TwoLevel>,
 }
 
 /// `machine.toml`. Everything may be left out.
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
+pub(super) struct File {
     /// The pulse equivalent δ in millimetres.
     pulse_mm: Option<f64>,
     /// The speed of G00.
     rapid_mm_per_min: Option<f64>,
     /// What a coordinate without a decimal point counts.
     integers: Option<IntegersName>,
-    method: Option<MethodName>,
+    pub(super) method: Option<MethodName>,
     end_rule: Option<EndRuleName>,
-    bits: Option<u32>,
+    pub(super) bits: Option<u32>,
     preset: Option<PresetName>,
     normalize: Option<bool>,
     update: Option<UpdateName>,
+    /// Whether blocks are sampled, and made by digital integration from sample to sample.
+    pub(super) two_level: Option<bool>,
+    pub(super) period_ms: Option<f64>,
+    pub(super) sampling: Option<SamplingName>,
+    pub(super) tolerance_mm: Option<f64>,
 }
 
 #[derive(Clone, Copy, Debug, Deserialize)]
@@ -83,21 +93,30 @@ impl Config {
         if given.radix.as_deref() == Some("10") {
             return Err(Failure::Usage("the circuits are binary: leave --radix 10 out".into()));
         }
-        let method = given.method.or(file.method).unwrap_or(MethodName::Ppc);
+        let two_level = TwoLevel::load(arguments, &file, in_file)?;
+        let method = match two_level {
+            Some(_) => MethodName::Dda,
+            None => given.method.or(file.method).unwrap_or(MethodName::Ppc),
+        };
         // Settings of the file that another method would use wait there for it.
-        let is_dda = method == MethodName::Dda;
+        let is_dda = method == MethodName::Dda && two_level.is_none();
+        let half = two_level.map(|_| PresetName::Half);
         let options = Options {
             method: Some(method),
             end_rule: given.end_rule.or(file.end_rule.filter(|_| method == MethodName::Ppc)),
             bits: None,
             radix: given.radix.clone(),
-            preset: given.preset.or(file.preset.filter(|_| is_dda)),
+            preset: half.or(given.preset).or(file.preset.filter(|_| is_dda)),
             normalize: given.normalize || is_dda && file.normalize.unwrap_or(true),
             update: given.update.or(file.update.filter(|_| is_dda)),
             smooth: given.smooth,
         };
         let default = if method == MethodName::Brm { BRM_BITS } else { BITS };
-        let bits = given.bits.or(file.bits).unwrap_or(default);
+        let bits = match two_level {
+            Some(two_level) => two_level.bits,
+            None => given.bits.or(file.bits),
+        };
+        let bits = bits.unwrap_or(default);
         if !(2..=32).contains(&bits) {
             let why = format!("registers of {bits} bits are not offered: 2 to 32 are");
             return Err(match given.bits {
@@ -105,7 +124,7 @@ impl Config {
                 None => in_file(format!("bits = {bits}: {why}")),
             });
         }
-        Ok(Self { machine, bits, options })
+        Ok(Self { machine, bits, options, two_level })
     }
 
     /// The speed that a motion is to have.
@@ -118,7 +137,8 @@ impl Config {
     }
 }
 
-fn positive(name: &str, text: &str) -> Result<Length, String> {
+/// A positive number of the command line or the file.
+pub(super) fn positive(name: &str, text: &str) -> Result<Length, String> {
     match text.parse::<Length>() {
         Ok(length) if length > Length::ZERO => Ok(length),
         Ok(_) => Err(format!("{name} = {text}: more than zero is needed")),

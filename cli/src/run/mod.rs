@@ -1,12 +1,14 @@
 //! `onepulse run`: a G-code program through software and hardware model.
 
 mod block;
+mod coarse;
 mod config;
 mod deviation;
 mod outputs;
 mod picture;
 mod report;
 mod speed;
+mod two_level;
 
 use crate::args::RunArguments;
 use crate::choice::Method;
@@ -14,6 +16,7 @@ use crate::curve::Curve;
 use crate::failure::Failure;
 use crate::machine::{Refusal, SOFTWARE_ONLY, with_machines};
 use block::BlockRun;
+use coarse::Coarse;
 use config::Config;
 use deviation::Deviation;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -56,25 +59,37 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         })?;
         let (curve, deviation) = curve(&motion);
         let speed = config.speed(&motion);
-        let origin = match motion.curve {
-            plan::Curve::Line => motion.from.map(i64::from),
-            plan::Curve::Arc { centre, .. } => centre,
-        };
-        let run = BlockRun {
-            motion: &motion,
-            origin,
-            short,
-            deviation,
-            cycles_per_second: speed.cycles_per_second(&curve, &method, config.bits),
-            outputs: &mut outputs,
-        };
         let refused = |why: Refusal| {
             let diagnostic = refused_block(&motion, program.text(), &why);
             Failure::Program { file: name.clone(), diagnostic: Box::new(diagnostic) }
         };
-        let result = with_machines(&curve, &method, Some(config.bits), run).map_err(refused)??;
+        let coarse =
+            config.two_level.map(|levels| Coarse::new(&curve, speed, &levels, config.bits));
+        let coarse = coarse.transpose().map_err(refused)?;
+        let cycles_per_second = match &coarse {
+            None => speed.cycles_per_second(&curve, &method, config.bits),
+            Some(coarse) => coarse.cycles_per_second(),
+        };
+        let mut block =
+            BlockRun::begin(&motion, short, deviation, cycles_per_second, &mut outputs)?;
+        match &coarse {
+            None => with_machines(&curve, &method, Some(config.bits), block.curve(None))
+                .map_err(refused)??,
+            Some(coarse) => {
+                for to in coarse.microsegments() {
+                    let line = Curve::Line { to: to.to_vec() };
+                    let run = block.curve(Some(Deviation::from_line(to)));
+                    with_machines(&line, &method, Some(coarse.report.bits), run)
+                        .map_err(refused)??;
+                    if !block.agrees() {
+                        break;
+                    }
+                }
+            }
+        }
+        let result = block.end()?;
         short = [0, 1].map(|axis| short[axis] + result.residual[axis]);
-        let report = BlockReport::new(&motion, &method, speed, &result);
+        let report = BlockReport::new(&motion, &method, speed, &result, coarse);
         summary.add(&report, [0, 1].map(|axis| i64::from(motion.to[axis]) - short[axis]));
         outputs.report.block(&report)?;
     }

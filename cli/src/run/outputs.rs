@@ -37,6 +37,8 @@ struct Waves {
     bench: Bench,
     line: usize,
     program_line: u32,
+    /// The sample clock of two levels: 1 in the first clock of a sample.
+    sample: Option<usize>,
     /// The end of what was traced.
     traced_until: u64,
     /// The first signal of each circuit, by its name.
@@ -44,10 +46,11 @@ struct Waves {
     /// Clocks of the run so far, and those that are traced.
     run_clocks: u64,
     window: Range<u64>,
-    /// When the block began.
+    /// When the curve began.
     start: u64,
     clocks: u64,
     clocks_per_second: f64,
+    cycles_per_second: f64,
     /// The first signal of the circuit that runs.
     first: usize,
 }
@@ -82,22 +85,24 @@ impl Outputs {
         Ok(Self { pulses, pulses_file, picture, waves, report, line: 0, folder })
     }
 
-    /// Begins a block that circuit C makes.
-    pub(super) fn begin<C: Circuit<N>, const N: usize>(
-        &mut self,
-        motion: &Motion,
-        cycles_per_second: f64,
-    ) -> Result<(), Failure> {
+    /// Begins a block.
+    pub(super) fn begin(&mut self, motion: &Motion, cycles_per_second: f64) -> Result<(), Failure> {
         self.line = motion.line;
-        self.picture.begin_block(motion)?;
+        if let Some(waves) = &mut self.waves {
+            waves.program_line = motion.line;
+            waves.cycles_per_second = cycles_per_second;
+        }
+        self.picture.begin_block(motion)
+    }
+
+    /// Begins a curve of the block, which circuit C makes.
+    pub(super) fn begin_curve<C: Circuit<N>, const N: usize>(&mut self) {
         if let Some(waves) = &mut self.waves {
             waves.clocks = 0;
-            waves.clocks_per_second = cycles_per_second * C::CLOCKS_PER_CYCLE as f64;
+            waves.clocks_per_second = waves.cycles_per_second * C::CLOCKS_PER_CYCLE as f64;
             let known = waves.circuits.iter().find(|(name, _)| *name == C::NAME);
             waves.first = known.map_or(0, |(_, first)| *first);
-            waves.program_line = motion.line;
         }
-        Ok(())
     }
 
     /// Gives the circuit a clock.
@@ -123,14 +128,14 @@ impl Outputs {
         self.picture.pulse(pulse)
     }
 
-    /// Ends the block.
-    pub(super) fn end<C: Circuit<N>, const N: usize>(
+    /// Ends the curve.
+    pub(super) fn end_curve<C: Circuit<N>, const N: usize>(
         &mut self,
         seconds: f64,
         circuit: &C,
     ) -> Result<(), Failure> {
         if let Some(waves) = &mut self.waves {
-            let end = waves.start + (seconds * TICKS_PER_SECOND) as u64;
+            let end = waves.start.saturating_add((seconds * TICKS_PER_SECOND) as u64);
             waves.start = end.max(waves.edge(2 * waves.clocks));
             let (first, start) = (waves.first, waves.start);
             if waves.window.contains(&waves.run_clocks) {
@@ -139,6 +144,11 @@ impl Outputs {
             }
             waves.tracer.check().map_err(|error| waves.file.failure(&error))?;
         }
+        Ok(())
+    }
+
+    /// Ends the block.
+    pub(super) fn end(&mut self) -> Result<(), Failure> {
         self.picture.end_block()
     }
 
@@ -149,7 +159,7 @@ impl Outputs {
         if let Some(waves) = self.waves {
             let Waves { tracer, file, list, traced_until, clocks_per_second, .. } = waves;
             let period = TICKS_PER_SECOND / clocks_per_second;
-            tracer.finish(traced_until + 1).map_err(|error| file.failure(&error))?;
+            tracer.finish(traced_until.saturating_add(1)).map_err(|error| file.failure(&error))?;
             let place = |name| self.folder.path().join(name);
             files.push(write_whole(&place("waves.gtkw"), &gtkw("waves.vcd", &list, period))?);
             files.push(write_whole(&place("waves.sucl"), &sucl("waves.vcd", &list))?);
@@ -170,7 +180,8 @@ impl Waves {
         let mut list = SignalList::new();
         let bench = Bench::declare(&mut list, &[0, 0]);
         let line = list.add("program_line", Kind::Unsigned(32));
-        let circuits = declare_circuits(&mut list, config.bits, method)
+        let sample = config.two_level.map(|_| list.add("sample", Kind::Bit));
+        let circuits = declare_circuits(&mut list, config, method)
             .map_err(|why| Failure::Usage(format!("--bits {}: {why}", config.bits)))?;
         let writer = file.background_writer()?;
         let vcd = Vcd::new(writer, &list, EXPONENT).map_err(|error| file.failure(&error))?;
@@ -181,6 +192,7 @@ impl Waves {
             bench,
             line,
             program_line: 0,
+            sample,
             traced_until: 0,
             circuits,
             run_clocks: 0,
@@ -188,26 +200,31 @@ impl Waves {
             start: 0,
             clocks: 0,
             clocks_per_second: 1.0,
+            cycles_per_second: 1.0,
             first: 0,
         })
     }
 
-    /// When a half period of the block's clock begins.
+    /// When a half period of the curve's clock begins.
     fn edge(&self, half_periods: u64) -> u64 {
         let seconds = half_periods as f64 / 2.0 / self.clocks_per_second;
         // An edge at least a tick after the other, however fast the clock.
-        self.start + ((seconds * TICKS_PER_SECOND) as u64).max(half_periods)
+        self.start.saturating_add(((seconds * TICKS_PER_SECOND) as u64).max(half_periods))
     }
 
     fn clock<C: Circuit<N>, const N: usize>(&mut self, circuit: &mut C) -> Pulse<N> {
         let (rise, fall) = (self.edge(2 * self.clocks), self.edge(2 * self.clocks + 1));
         let is_traced = self.window.contains(&self.run_clocks);
+        let is_first = self.clocks == 0;
         self.clocks += 1;
         self.run_clocks += 1;
         if is_traced {
             self.traced_until = fall;
             self.tracer.at(rise);
             self.tracer.set(self.line, u64::from(self.program_line));
+            if let Some(sample) = self.sample {
+                self.tracer.set(sample, u64::from(is_first));
+            }
             self.bench.clock(&mut self.tracer, self.first, circuit, rise, fall)
         } else {
             self.bench.skip(circuit)
@@ -218,13 +235,13 @@ impl Waves {
 /// The circuits that the method needs, loaded with the smallest curves there are.
 fn declare_circuits(
     list: &mut SignalList,
-    bits: u32,
+    config: &Config,
     method: &Method,
 ) -> Result<Vec<(&'static str, usize)>, Error> {
     fn add<C: Circuit<2>>(list: &mut SignalList, circuit: &C) -> (&'static str, usize) {
         (C::NAME, list.add_circuit(circuit))
     }
-    let (x, y, direction) = ([1, 0], [0, 1], Direction::Ccw);
+    let (x, y, direction, bits) = ([1, 0], [0, 1], Direction::Ccw, config.bits);
     Ok(match *method {
         Method::Ppc { end_rule } => vec![
             add(list, &hw::ppc::Line::new(x, bits, end_rule)?),
@@ -233,6 +250,10 @@ fn declare_circuits(
         Method::Dda { preset, normalize, update, .. } => {
             let preset = preset.unwrap_or_default();
             let line = add(list, &hw::dda::Line::new(x, bits, preset, normalize)?);
+            if config.two_level.is_some() {
+                // Of arcs too it makes lines.
+                return Ok(vec![line]);
+            }
             let arc = match update {
                 UpdateName::Staggered => {
                     add(list, &hw::dda::CentredArc::new(x, y, direction, bits, normalize)?)

@@ -1,8 +1,10 @@
 //! `report.json`, and the summary on standard output.
 
 use super::block::BlockResult;
+use super::coarse::{Coarse, Reduced, SamplingReport};
 use super::config::Config;
 use super::speed::Speed;
+use super::two_level::TwoLevel;
 use crate::choice::{Method, UpdateName};
 use crate::failure::Failure;
 use crate::output::OutputFile;
@@ -33,6 +35,9 @@ pub(super) struct BlockReport {
     hardware_agrees: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     disagrees_at_cycle: Option<u64>,
+    /// Of two levels: the coarse one, and what the deviation is made of.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sampling: Option<SamplingReport>,
 }
 
 #[derive(Clone, Copy, Debug, Default, Serialize)]
@@ -48,7 +53,13 @@ impl<T> From<[T; 2]> for PerAxis<T> {
 }
 
 impl BlockReport {
-    pub(super) fn new(motion: &Motion, method: &Method, speed: Speed, run: &BlockResult) -> Self {
+    pub(super) fn new(
+        motion: &Motion,
+        method: &Method,
+        speed: Speed,
+        run: &BlockResult,
+        coarse: Option<Coarse>,
+    ) -> Self {
         let curve = match (motion.curve, motion.rate) {
             (Curve::Line, Rate::Rapid) => "rapid",
             (Curve::Line, Rate::Feed(_)) => "line",
@@ -56,6 +67,7 @@ impl BlockReport {
             (Curve::Arc { direction: Direction::Ccw, .. }, _) => "arc ccw",
         };
         let method = match (method, motion.curve) {
+            _ if coarse.is_some() => "two levels",
             (Method::Dda { update: UpdateName::Staggered, .. }, Curve::Arc { .. }) => {
                 "dda staggered"
             }
@@ -77,6 +89,7 @@ impl BlockReport {
             duration_s: run.seconds,
             hardware_agrees: run.disagreement.is_none(),
             disagrees_at_cycle: run.disagreement,
+            sampling: coarse.map(|coarse| coarse.report.with_fine(run.fine)),
         }
     }
 }
@@ -97,11 +110,19 @@ impl Report {
         method: &Method,
     ) -> Result<Self, Failure> {
         let mut report = Self { out: file.writer()?, file, is_first: true };
-        let machine = serde_json::json!({
+        let mut machine = serde_json::json!({
             "pulse_mm": config.machine.pulse.millimetres(),
             "bits": config.bits,
             "method": method.name(),
         });
+        if let Some(levels) = config.two_level {
+            machine["bits"] = serde_json::json!(levels.bits);
+            machine["two_level"] = serde_json::json!({
+                "period_ms": levels.period_ms,
+                "sampling": levels.sampling.name(),
+                "tolerance_mm": levels.tolerance_mm,
+            });
+        }
         let program = serde_json::json!(program);
         let head = format!("{{\n\"program\": {program},\n\"machine\": {machine},\n\"blocks\": [");
         let written = report.out.write_all(head.as_bytes());
@@ -163,6 +184,9 @@ pub(super) struct Summary {
     seconds: f64,
     position: [i64; 2],
     pub(super) agrees: bool,
+    /// The samples of the block with the largest deviation, and its line.
+    worst: Option<(u32, SamplingReport)>,
+    samples: u64,
     /// The first blocks, for showing.
     shown: Vec<BlockReport>,
 }
@@ -181,6 +205,8 @@ impl Default for Summary {
             seconds: 0.0,
             position: [0; 2],
             agrees: true,
+            worst: None,
+            samples: 0,
             shown: Vec::new(),
         }
     }
@@ -193,6 +219,12 @@ impl Summary {
         self.cycles += block.cycles;
         self.pulses[0] += block.pulses.x;
         self.pulses[1] += block.pulses.y;
+        if let Some(sampling) = &block.sampling {
+            self.samples += sampling.samples;
+            if self.worst.is_none() || block.largest_deviation > self.deviation {
+                self.worst = Some((block.line, sampling.clone()));
+            }
+        }
         self.deviation = self.deviation.max(block.largest_deviation);
         self.endpoints_exact &= block.endpoint_exact;
         self.seconds += block.duration_s;
@@ -222,7 +254,11 @@ impl Summary {
         config: &Config,
     ) -> io::Result<()> {
         let pulse = config.machine.pulse.millimetres();
-        writeln!(out, "{program}: pulse equivalent {pulse} mm, {} bit registers\n", config.bits)?;
+        let registers = match config.two_level {
+            Some(levels) if levels.bits.is_none() => "the smallest registers that serve".to_owned(),
+            _ => format!("{} bit registers", config.bits),
+        };
+        writeln!(out, "{program}: pulse equivalent {pulse} mm, {registers}\n")?;
         writeln!(
             out,
             "{:>6}  {:8}  {:16}  {:>10}  {:>8}  {:>8}  {:>9}  {:>9}  {:>9}",
@@ -256,12 +292,51 @@ impl Summary {
             "\n{} blocks, {} cycles, {} + {} pulses, {:.3} s; final position {x},{y}",
             self.blocks, self.cycles, self.pulses[0], self.pulses[1], self.seconds
         )?;
-        writeln!(out, "largest deviation {:.4} pulses", self.deviation)?;
+        write!(out, "largest deviation {:.4} pulses", self.deviation)?;
+        match &self.worst {
+            None => writeln!(out)?,
+            Some((line, worst)) => {
+                let SamplingReport { chord_error, radius_error, rounding, fine, .. } = worst;
+                writeln!(
+                    out,
+                    ", in line {line} <= {:.4} = chord error {chord_error:.4} + radius error \
+                     {radius_error:.4} + rounding {rounding:.4} + fine deviation {fine:.4}",
+                    worst.bound()
+                )?;
+            }
+        }
+        if let Some(levels) = config.two_level {
+            let TwoLevel { period_ms, .. } = levels;
+            writeln!(
+                out,
+                "{} samples of {period_ms} ms; the last of a block, a shorter way, takes as long",
+                self.samples
+            )?;
+            self.write_reduced(&mut out)?;
+        }
         let exact = if self.endpoints_exact { "every" } else { "NOT every" };
         writeln!(out, "{exact} block ends exactly on its end point")?;
         let agree = if self.agrees { "agree on every pulse" } else { "DISAGREE" };
         writeln!(out, "hardware model and software {agree}")?;
         writeln!(out, "written to {}", folder.display())?;
         out.flush()
+    }
+
+    /// Which feeds could not be kept, and why.
+    fn write_reduced(&self, out: &mut impl Write) -> io::Result<()> {
+        for block in &self.shown {
+            let Some(sampling) = &block.sampling else { continue };
+            let why = match sampling.feed_reduced_for {
+                None => continue,
+                Some(Reduced::Radius) => "steps of a quarter of the radius",
+                Some(Reduced::Tolerance) => "the chord error tolerated",
+            };
+            writeln!(
+                out,
+                "note: line {}: feed reduced from {} to {:.3} mm/min, {why}",
+                block.line, block.feed_mm_per_min, sampling.feed_mm_per_min
+            )?;
+        }
+        Ok(())
     }
 }

@@ -22,7 +22,7 @@ impl Speed {
     }
 
     /// In pulse equivalents a second.
-    fn pulses_per_second(self) -> f64 {
+    pub(super) fn pulses_per_second(self) -> f64 {
         self.per_minute.picometres() as f64 / self.pulse.picometres() as f64 / 60.0
     }
 

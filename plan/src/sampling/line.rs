@@ -46,7 +46,9 @@ impl<const AXES: usize> Line<AXES> {
         if !is_step {
             return Err(SamplingError::NoStep);
         }
-        Ok(Self { end, samples: steps.ceil() as u64, made: 0, steps })
+        // What rounding adds to a whole number of steps is no sample.
+        let samples = (steps * (1.0 - 1e-9)).ceil() as u64;
+        Ok(Self { end, samples, made: 0, steps })
     }
 }
 
@@ -75,6 +77,14 @@ mod tests {
         }
         assert_eq!(Line::new([f64::INFINITY, 0.0], 1.0), Err(SamplingError::NotFinite));
         assert_eq!(Line::new([0.0, 0.0], 1.0).unwrap().count(), 0);
+    }
+
+    #[test]
+    fn what_rounding_adds_to_whole_steps_is_no_sample() {
+        // In floats 0.1 + 0.2 is more than 3·0.1.
+        let points: Vec<_> = Line::new([0.1 + 0.2], 0.1).unwrap().collect();
+        assert_eq!(points.len(), 3);
+        assert_eq!(points[2], [0.1 + 0.2]);
     }
 
     proptest! {
