@@ -5,6 +5,8 @@ use crate::compare;
 use crate::curve::{AxisName, Curve, PlaneName, PlanePoint, Point, coordinate};
 use crate::feed_rate::FeedRateArguments;
 use crate::interpolator::DriveTimes;
+use crate::motion_settings::MotionOptions;
+use crate::profile;
 use crate::pulses;
 use crate::sample::SamplingName;
 use crate::table::{Format, Language};
@@ -55,6 +57,14 @@ pub(crate) enum Command {
     FeedRate(FeedRateArguments),
     /// The points of one curve by data sampling, in millimetres
     Sample(SampleArguments),
+    /// The motion of a G-code program over time: speed, acceleration, jerk, pulse intervals
+    ///
+    /// Speeds are planned through the whole program: what the next 128 blocks at least demand is known in
+    /// each of them. A row for each sample period and for the end of each block; lengths are millimetres,
+    /// times seconds. Speed, acceleration and jerk are those commanded along the path; an interval is the
+    /// mean time between the pulses of an axis since the row before; with --servo-gain there is the
+    /// following error of each axis.
+    Profile(ProfileArguments),
     /// A G-code program: pulses, waves, a picture and a report
     Run(Box<RunArguments>),
 }
@@ -183,6 +193,26 @@ pub(crate) struct SampleArguments {
 
 /// The heading of the options that belong to `--two-level`.
 const TWO_LEVELS: &str = "Two levels";
+
+#[derive(Debug, Args)]
+pub(crate) struct ProfileArguments {
+    /// The G-code program
+    pub(crate) program: PathBuf,
+    /// The machine: pulse equivalent, speeds, limits
+    #[arg(long, value_name = "machine.toml")]
+    pub(crate) config: Option<PathBuf>,
+    /// The pulse equivalent in millimetres
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    pub(crate) pulse_mm: Option<String>,
+    /// How to write it
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) format: profile::Format,
+    /// The sample period in milliseconds [default: 8]
+    #[arg(long, value_name = "MS", allow_negative_numbers = true)]
+    pub(crate) period: Option<String>,
+    #[command(flatten)]
+    pub(crate) motion: MotionOptions,
+}
 
 #[derive(Debug, Args)]
 pub(crate) struct RunArguments {

@@ -8,7 +8,10 @@ mod failure;
 mod feed_rate;
 mod interpolator;
 mod machine;
+mod machine_file;
+mod motion_settings;
 mod output;
+mod profile;
 mod pulses;
 mod run;
 mod sample;
@@ -27,6 +30,7 @@ fn main() -> ExitCode {
         Command::Wave(arguments) => wave::wave(&arguments),
         Command::FeedRate(arguments) => feed_rate::feed_rate(&arguments),
         Command::Sample(arguments) => sample::sample(&arguments),
+        Command::Profile(arguments) => profile::profile(&arguments),
         Command::Run(arguments) => run::run(&arguments),
     };
     match done {

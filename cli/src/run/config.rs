@@ -3,12 +3,10 @@
 use super::speed::Speed;
 use super::two_level::TwoLevel;
 use crate::args::{Options, RunArguments};
-use crate::choice::{EndRuleName, MethodName, PresetName, UpdateName};
+use crate::choice::{MethodName, PresetName};
 use crate::failure::Failure;
-use crate::sample::SamplingName;
-use onepulse_plan::{Integers, Length, Machine, Motion, Rate};
-use serde::Deserialize;
-use std::fs;
+use crate::machine_file::MachineFile;
+use onepulse_plan::{Machine, Motion, Rate};
 
 /// A machine.
 #[derive(Clone, Debug)]
@@ -21,39 +19,6 @@ pub(super) struct Config {
     pub(super) two_level: Option<TwoLevel>,
 }
 
-/// `machine.toml`. Everything may be left out.
-#[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct File {
-    /// The pulse equivalent δ in millimetres.
-    pulse_mm: Option<f64>,
-    /// The speed of G00.
-    rapid_mm_per_min: Option<f64>,
-    /// What a coordinate without a decimal point counts.
-    integers: Option<IntegersName>,
-    pub(super) method: Option<MethodName>,
-    end_rule: Option<EndRuleName>,
-    pub(super) bits: Option<u32>,
-    preset: Option<PresetName>,
-    normalize: Option<bool>,
-    update: Option<UpdateName>,
-    /// Whether blocks are sampled, and made by digital integration from sample to sample.
-    pub(super) two_level: Option<bool>,
-    pub(super) period_ms: Option<f64>,
-    pub(super) sampling: Option<SamplingName>,
-    pub(super) tolerance_mm: Option<f64>,
-}
-
-#[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-enum IntegersName {
-    Pulses,
-    Units,
-}
-
-/// The pulse equivalent of a machine that says nothing else.
-const PULSE: Length = Length::from_picometres(Length::MILLIMETRE.picometres() / 100);
-
 /// Wide enough for ±8 million pulses with the headroom bit that circles need.
 const BITS: u32 = 24;
 
@@ -63,37 +28,15 @@ const BRM_BITS: u32 = 16;
 impl Config {
     /// The machine of a command line.
     pub(super) fn load(arguments: &RunArguments) -> Result<Self, Failure> {
-        let (file, name) = match &arguments.config {
-            None => (File::default(), String::new()),
-            Some(path) => {
-                let name = path.display().to_string();
-                let text = fs::read_to_string(path).map_err(|e| Failure::file(path, &e))?;
-                let file = toml::from_str(&text)
-                    .map_err(|error| Failure::Fault(format!("{name}: {error}")))?;
-                (file, name)
-            }
-        };
-        let in_file = |why: String| Failure::Fault(format!("{name}: {why}"));
-
-        let mut machine = Machine::with_pulse(PULSE);
-        if let Some(pulse) = file.pulse_mm {
-            // The shortest text of a float is the decimal that was written.
-            machine.pulse = positive("pulse_mm", &pulse.to_string()).map_err(in_file)?;
-        }
-        if let Some(rapid) = file.rapid_mm_per_min {
-            machine.rapid = positive("rapid_mm_per_min", &rapid.to_string()).map_err(in_file)?;
-        }
-        if let Some(IntegersName::Units) = file.integers {
-            machine.integers = Integers::Units;
-        }
-        if let Some(pulse) = &arguments.pulse_mm {
-            machine.pulse = positive("--pulse-mm", pulse).map_err(Failure::Usage)?;
-        }
+        let file = MachineFile::read(arguments.config.as_deref())?;
+        let machine = file.machine(arguments.pulse_mm.as_deref())?;
+        let in_file = |why: String| file.fault(why);
+        let file = &file.content;
         let given = &arguments.options;
         if given.radix.as_deref() == Some("10") {
             return Err(Failure::Usage("the circuits are binary: leave --radix 10 out".into()));
         }
-        let two_level = TwoLevel::load(arguments, &file, in_file)?;
+        let two_level = TwoLevel::load(arguments, file, in_file)?;
         let method = match two_level {
             Some(_) => MethodName::Dda,
             None => given.method.or(file.method).unwrap_or(MethodName::Ppc),
@@ -134,14 +77,5 @@ impl Config {
             Rate::Feed(feed) => feed,
         };
         Speed { per_minute, pulse: self.machine.pulse }
-    }
-}
-
-/// A positive number of the command line or the file.
-pub(super) fn positive(name: &str, text: &str) -> Result<Length, String> {
-    match text.parse::<Length>() {
-        Ok(length) if length > Length::ZERO => Ok(length),
-        Ok(_) => Err(format!("{name} = {text}: more than zero is needed")),
-        Err(why) => Err(format!("{name} = {text}: {why}")),
     }
 }

@@ -1,9 +1,9 @@
 //! The settings of two levels: data sampling, and DDA lines between the samples.
 
-use super::config::{File, positive};
 use crate::args::RunArguments;
 use crate::choice::{MethodName, PresetName};
 use crate::failure::Failure;
+use crate::machine_file::{File, positive};
 use crate::sample::SamplingName;
 
 /// How blocks are sampled, and in which registers the samples are made.

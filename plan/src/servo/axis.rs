@@ -75,6 +75,18 @@ impl Axis {
         State { position: self.position, speed: self.speed, following_error, velocity_command }
     }
 
+    /// The present position, in millimetres from where it began.
+    #[must_use]
+    pub const fn position(&self) -> f64 {
+        self.position
+    }
+
+    /// The present speed, in mm/s.
+    #[must_use]
+    pub const fn speed(&self) -> f64 {
+        self.speed
+    }
+
     /// The following error at a steady speed in mm/s: v/K_v, in millimetres.
     ///
     /// Exactly that, whatever the period and the drive, where it is taken as the loop takes it, command and

@@ -1,0 +1,151 @@
+//! From blocks to what happens when: planned speeds, sampled, in pulses, followed by the axes.
+
+use crate::motion_settings::MotionSettings;
+use onepulse_plan::sampling::Pulses;
+use onepulse_plan::speed::{Block, LookAhead, Path, Sample, Samples, SpeedError};
+use onepulse_plan::{Machine, Motion, servo};
+
+/// The motion at the end of a sample period, or of a block; millimetres and seconds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Row {
+    pub(crate) time: f64,
+    /// The program's line.
+    pub(crate) line: u32,
+    /// The point commanded.
+    pub(crate) point: [f64; 2],
+    /// Along the path, as commanded.
+    pub(crate) speed: f64,
+    pub(crate) acceleration: f64,
+    /// The change of the acceleration since the row before, by the time: where that jumps, as with
+    /// linear ramps, no more than a sign of it.
+    pub(crate) jerk: f64,
+    /// The mean time between the pulses of each axis since the row before, where there were any.
+    pub(crate) intervals: [Option<f64>; 2],
+    /// Command less position of each axis, taken at the end of a sample period.
+    pub(crate) following_errors: Option<[f64; 2]>,
+}
+
+/// The rows of a program, from its start on. Axes that follow go on until they
+/// stand, to half a pulse.
+#[derive(Debug)]
+pub(crate) struct Rows<'a> {
+    motions: &'a [Motion],
+    paths: Vec<Path>,
+    samples: Samples<LookAhead<std::vec::IntoIter<Block>>>,
+    /// Its pulse in millimetres.
+    pulse: f64,
+    period: f64,
+    /// Whole periods so far.
+    periods: u64,
+    pulses: Pulses,
+    last: Row,
+    axes: Option<Followed>,
+}
+
+impl<'a> Rows<'a> {
+    /// # Errors
+    /// A block that no speed can be planned for, with its line.
+    pub(crate) fn new(
+        motions: &'a [Motion],
+        machine: &Machine,
+        settings: &MotionSettings,
+    ) -> Result<Self, String> {
+        let MotionSettings { limits, period, servo } = *settings;
+        let (mut blocks, mut paths) = (Vec::new(), Vec::new());
+        for motion in motions {
+            let at_line = |why: SpeedError| format!("line {}: {why}", motion.line);
+            blocks.push(Block::of(motion, machine, &limits).map_err(at_line)?);
+            paths.push(Path::of(motion, machine.pulse).map_err(at_line)?);
+        }
+        let samples = Samples::new(LookAhead::new(blocks, limits), period);
+        let samples = samples.map_err(|why| why.to_string())?;
+        let start = paths.first().map_or([0.0; 2], |path| path.point(0.0));
+        let pulse = machine.pulse.millimetres();
+        Ok(Self {
+            motions,
+            paths,
+            samples,
+            pulse,
+            period,
+            periods: 0,
+            pulses: Pulses::new(pulse, start),
+            last: Row::at(start),
+            axes: servo.map(|axis| Followed { start, axes: [axis; 2] }),
+        })
+    }
+
+    /// The row of a sample.
+    fn commanded(&mut self, sample: &Sample) -> Row {
+        let Sample { time, speed, acceleration, block, .. } = *sample;
+        let point = self.paths[block].point(sample.way);
+        let passed = time - self.last.time;
+        let intervals = self.pulses.to(point).map(|count| match count.unsigned_abs() {
+            0 => None,
+            count => Some(passed / count as f64),
+        });
+        let change = acceleration - self.last.acceleration;
+        let jerk = if passed > 0.0 { change / passed } else { 0.0 };
+        self.periods += u64::from(sample.is_on_grid);
+        let axes = self.axes.as_mut().filter(|_| sample.is_on_grid);
+        let following_errors = axes.map(|axes| axes.command(point));
+        let line = self.motions[block].line;
+        Row { time, line, point, speed, acceleration, jerk, intervals, following_errors }
+    }
+
+    /// After the last: the axes come to the end point, if they are not there yet.
+    fn settling(&mut self) -> Option<Row> {
+        let Row { line, point, .. } = self.last;
+        let axes = self.axes.as_mut()?;
+        if axes.stand_at(point, self.pulse / 2.0, self.period) {
+            return None;
+        }
+        self.periods += 1;
+        let time = self.periods as f64 * self.period;
+        let following_errors = Some(axes.command(point));
+        Some(Row { time, line, following_errors, ..Row::at(point) })
+    }
+}
+
+impl Iterator for Rows<'_> {
+    type Item = Row;
+
+    fn next(&mut self) -> Option<Row> {
+        let row = match self.samples.next() {
+            Some(sample) => self.commanded(&sample),
+            None => self.settling()?,
+        };
+        self.last = row;
+        Some(row)
+    }
+}
+
+impl Row {
+    /// At rest.
+    fn at(point: [f64; 2]) -> Self {
+        let (time, line, speed, acceleration, jerk) = (0.0, 0, 0.0, 0.0, 0.0);
+        let (intervals, following_errors) = ([None; 2], None);
+        Self { time, line, point, speed, acceleration, jerk, intervals, following_errors }
+    }
+}
+
+/// The axes, each of which counts its way from the start.
+#[derive(Debug)]
+struct Followed {
+    start: [f64; 2],
+    axes: [servo::Axis; 2],
+}
+
+impl Followed {
+    /// Whether each axis is that near to the point, and will not move further in a period.
+    fn stand_at(&self, point: [f64; 2], near: f64, period: f64) -> bool {
+        (0..2).all(|axis| {
+            let error = point[axis] - self.start[axis] - self.axes[axis].position();
+            error.abs() <= near && self.axes[axis].speed().abs() * period <= near
+        })
+    }
+
+    /// Commands a point for the next period: the following errors it begins with.
+    fn command(&mut self, point: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| self.axes[axis].step(point[axis] - self.start[axis]).following_error)
+    }
+}
