@@ -114,6 +114,7 @@ fn helix_new_establishes_invariant() {
     assert!(helix.remaining() == steps.max(height) && helix.cycles() == helix.remaining());
     assert!(helix.remainder() == helix.cycles() / 2);
     assert!(helix.screw().to_rise() == height);
+    assert!(helix.is_done() == (steps == 0 && height == 0));
     // d·T and left·S are both S·T.
     assert!(helix.cycles() == 0 || helix.screw().distributor().counters_hold([steps, height], 0));
     let across = plane.axes()[2];
