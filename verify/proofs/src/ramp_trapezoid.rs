@@ -17,8 +17,8 @@ fn any_limits() -> Limits {
     Limits { bits, start, acceleration, largest }
 }
 
-/// Any state that satisfies the invariant.
-fn any_state() -> (Trapezoid, Limits) {
+/// Any speed with what stopping takes and what is left; no phase, and no pulse made.
+pub(crate) fn any_speeds() -> (Trapezoid, Limits) {
     let limits = any_limits();
     let moves: bool = kani::any();
     let (speed, stopping) = if moves {
@@ -38,10 +38,19 @@ fn any_state() -> (Trapezoid, Limits) {
     } else {
         (0, 0)
     };
-    let (left, [phase, pulses]): (u64, [u32; 2]) = (kani::any(), kani::any());
+    let left: u64 = kani::any();
+    kani::assume(left < 1 << 63 && stopping <= left);
+    (Trapezoid::in_state(limits, left, speed, stopping, 0, 0), limits)
+}
+
+/// Any state that satisfies the invariant.
+fn any_state() -> (Trapezoid, Limits) {
+    let (speeds, limits) = any_speeds();
+    let [phase, pulses]: [u32; 2] = kani::any();
     // No more pulses than there were to make.
-    kani::assume(left < 1 << 63 && pulses < u32::MAX);
-    let ramp = Trapezoid::in_state(limits, left, speed, stopping, phase, pulses);
+    kani::assume(pulses < u32::MAX);
+    let [left, stopping] = [speeds.left(), speeds.stopping()];
+    let ramp = Trapezoid::in_state(limits, left, speeds.speed(), stopping, phase, pulses);
     kani::assume(ramp.invariant());
     (ramp, limits)
 }
