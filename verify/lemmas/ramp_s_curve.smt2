@@ -22,6 +22,20 @@
 (check-sat) ; expect unsat
 (pop 1)
 
+; lemma: the_sum_stays_that_of_the_ring
+; The earliest goes, the new way takes its place; `others` are the ways between them.
+; mutant: replace "(assert (= sum (+ earliest others)))" by ""
+(push 1)
+(declare-const way Int)
+(declare-const sum Int)
+(declare-const earliest Int)
+(declare-const others Int)
+(assert (= sum (+ earliest others)))
+(check-sat) ; expect sat
+(assert (not (= (+ (- sum earliest) way) (+ others way))))
+(check-sat) ; expect unsat
+(pop 1)
+
 ; lemma: nothing_is_to_come_when_only_the_earliest_is_left
 ; m is at most w - 1 times the ways that it has a factor for, and not negative: so it is 0 with their sum.
 ; mutant: replace "(assert (<= m (* (- w 1) others)))" by ""

@@ -29,6 +29,6 @@ impl Phase {
     /// Whether the register and a way that is left are whole pulses together.
     pub(super) const fn completes(&self, left: u64) -> bool {
         let pulse = 1 << self.bits;
-        (self.register as u64) < pulse && (left + self.register as u64) % pulse == 0
+        (self.register as u64) < pulse && (left + self.register as u64) & (pulse - 1) == 0
     }
 }

@@ -88,20 +88,20 @@ impl<const WINDOW: usize> SCurve<WINDOW> {
         })
     }
 
-    /// The S-curve in this state, reachable or not: its trapezoid's speeds, the ring of the last ways
-    /// and where its earliest is, the phase register and the pulses made.
+    /// The S-curve in this state, reachable or not: its trapezoid's speeds, the ring of the last ways,
+    /// where its earliest is and what counts as their sum, the phase register and the pulses made.
     #[cfg(feature = "proofs")]
     #[must_use]
-    pub fn in_state(
+    pub const fn in_state(
         trapezoid: super::Trapezoid,
         ways: [u32; WINDOW],
         earliest: usize,
+        sum: u32,
         phase: u32,
         pulses: u32,
     ) -> Self {
         let speeds = trapezoid.speeds;
         let bits = speeds.limits.bits + Self::BITS;
-        let sum = ways.iter().sum();
         Self { speeds, ways, earliest, sum, phase: Phase { bits, register: phase, pulses } }
     }
 

@@ -1,30 +1,64 @@
 //! S-curve ramps: A1, N1 for every number of pulses and all limits, windows of 2 and of 8 clocks.
 //!
-//! The ring is looked at in full. What [`SCurve::to_come`] gives is the sum of all that the next clocks
-//! move; that each clock takes what it moves from it, for windows of any size, is in
-//! `verify/lemmas/ramp.smt2`. The bounds of acceleration and jerk come from how two ways of the
-//! trapezoid that follow one another differ, and from what enters and leaves the sum.
+//! A window of 2 is looked at in full. Of one of 8, no more is known of the sum than that the
+//! earliest way and the next are parts of it, and the ring is shown to shift by one place. That the sum
+//! stays the ring's then, and that each clock takes what it moves from what is to come, is shown for
+//! windows of any size in `verify/lemmas/ramp_s_curve.smt2`; so is how acceleration and jerk follow from
+//! the difference of two ways of the trapezoid that follow one another.
+//!
+//! Where the ring's earliest way lies is a constant of each check, so that no place is looked up.
 
 use crate::ramp_trapezoid::any_speeds;
 use onepulse_core::ramp::{Limits, SCurve};
 
-/// Any state that satisfies the invariant, with the earliest way anywhere in the ring.
-fn any_state<const WINDOW: usize>() -> (SCurve<WINDOW>, Limits) {
+/// Any number from `least` to `most`.
+#[cfg(any(kani, target_arch = "wasm32"))]
+#[inline(always)]
+fn any_within(least: u32, most: u64) -> u32 {
+    kani::any_where(|number: &u32| least <= *number && u64::from(*number) <= most)
+}
+
+/// Any number from `least` to `most`.
+#[cfg(not(any(kani, target_arch = "wasm32")))]
+fn any_within(least: u32, most: u64) -> u32 {
+    kani::native::chosen(|drawn| u64::from(least) + drawn % (most + 1 - u64::from(least))) as u32
+}
+
+/// Any state of a ring, the rest of which is in its bounds, with its earliest way in this place.
+#[inline(always)]
+fn any_ring<const WINDOW: usize, const EARLIEST: usize>() -> (SCurve<WINDOW>, Limits) {
     let (trapezoid, limits) = any_speeds();
     kani::assume(limits.bits + WINDOW.trailing_zeros() <= 31);
     // As much as can be left of 2³² − 1 pulses.
     kani::assume(trapezoid.left() >> limits.bits <= u64::from(u32::MAX));
-    let ways: [u32; WINDOW] = kani::any();
+    let largest = u64::from(limits.largest);
+    let mut ways = [0; WINDOW];
     let mut place = 0;
     while place < WINDOW {
-        kani::assume(ways[place] <= limits.largest);
+        ways[place] = any_within(0, largest);
         place += 1;
     }
-    let earliest = kani::any_where(|earliest: &u8| usize::from(*earliest) < WINDOW);
-    let [phase, pulses]: [u32; 2] = kani::any();
+    // All ways but the earliest together; the next one to leave is among them.
+    let next = ways[(EARLIEST + 1) % WINDOW];
+    let others = if WINDOW == 2 { next } else { any_within(next, (WINDOW as u64 - 1) * largest) };
+    let sum = ways[EARLIEST] + others;
+    let ramp = SCurve::in_state(trapezoid, ways, EARLIEST, sum, 0, 0);
+    let modulus = (WINDOW as u32) << limits.bits;
+    let phase = if WINDOW == 2 {
+        // The only one that makes whole pulses of what is to come.
+        ramp.to_come().wrapping_neg() as u32 & (modulus - 1)
+    } else {
+        any_within(0, u64::from(modulus) - 1)
+    };
     // No more pulses than there were to make.
-    kani::assume(pulses < u32::MAX);
-    let ramp = SCurve::in_state(trapezoid, ways, usize::from(earliest), phase, pulses);
+    let pulses = any_within(0, u64::from(u32::MAX) - 1);
+    (SCurve::in_state(trapezoid, ways, EARLIEST, sum, phase, pulses), limits)
+}
+
+/// Any state of a window of 2 that satisfies the invariant.
+#[inline(always)]
+fn any_state<const EARLIEST: usize>() -> (SCurve<2>, Limits) {
+    let (ramp, limits) = any_ring::<2, EARLIEST>();
     kani::assume(ramp.invariant());
     (ramp, limits)
 }
@@ -48,70 +82,73 @@ fn ramp_s_curve_new_establishes_invariant() {
     assert!(ramp.is_done() == (pulses == 0));
 }
 
-/// A clock moves by some of what is to come, and what it moves is in the pulses and the phase: so
-/// there is always less to come, and the run ends.
-fn step_counts_its_way<const WINDOW: usize>() {
-    let (mut ramp, limits) = any_state::<WINDOW>();
-    let before = ramp.clone();
-    let Some(pulse) = ramp.step() else {
-        assert!(before.is_done());
-        return;
-    };
-    kani::cover!(pulse && before.left() == 0 && ramp.is_done());
-    kani::cover!(!pulse && ramp.left() > 0);
-    let way = u64::from(ramp.moved());
-    assert!(ramp.to_come() + way == before.to_come() && way > 0);
-    assert!(way <= u64::from(limits.largest) * WINDOW as u64);
-    let modulus = (WINDOW as u64) << limits.bits;
-    let carried = if pulse { modulus } else { 0 };
-    assert!(u64::from(ramp.phase()) + carried == u64::from(before.phase()) + way);
-    assert!(ramp.pulses() == before.pulses() + u32::from(pulse));
-}
-
-#[kani::proof]
-fn ramp_s_curve_step_counts_its_way_of_2() {
-    step_counts_its_way::<2>();
-}
-
-#[kani::proof]
-fn ramp_s_curve_step_counts_its_way_of_8() {
-    step_counts_its_way::<8>();
-}
-
-#[kani::proof]
-fn ramp_s_curve_step_preserves_invariant_of_2() {
-    let (mut ramp, _) = any_state::<2>();
-    kani::cover!(ramp.left() > 0);
-    if ramp.step().is_some() {
-        assert!(ramp.invariant());
-    }
-}
-
-#[kani::proof]
-fn ramp_s_curve_step_preserves_invariant_of_8() {
-    let (mut ramp, _) = any_state::<8>();
-    kani::cover!(ramp.left() > 0);
-    if ramp.step().is_some() {
-        assert!(ramp.invariant());
-    }
-}
-
-/// The trapezoid's way comes in, the earliest goes, and the others stay as they are.
-#[kani::proof]
-fn ramp_s_curve_step_replaces_the_earliest_way() {
-    let (mut ramp, _) = any_state::<8>();
+/// A clock moves by some of what is to come, and by no more than the largest speed: so there is
+/// always less to come, and the run ends. The invariant stays.
+#[inline(never)]
+fn step_takes_its_way<const EARLIEST: usize>() {
+    let (mut ramp, limits) = any_state::<EARLIEST>();
     let before = ramp.clone();
     if ramp.step().is_none() {
+        assert!(before.is_done());
         return;
     }
-    kani::cover!(before.left() > 0 && ramp.left() > 0);
+    kani::cover!(before.left() == 0 && ramp.is_done());
+    let moved = u64::from(ramp.moved());
+    assert!(ramp.to_come() + moved == before.to_come() && moved > 0);
+    assert!(moved <= 2 * u64::from(limits.largest));
+    assert!(ramp.invariant());
+}
+
+#[kani::proof]
+fn ramp_s_curve_step_takes_its_way_from_first() {
+    step_takes_its_way::<0>();
+}
+
+#[kani::proof]
+fn ramp_s_curve_step_takes_its_way_from_last() {
+    step_takes_its_way::<1>();
+}
+
+/// What a clock moves is in the pulses and the phase; the trapezoid's way comes in, the earliest
+/// goes, and the others stay as they are. It stands when no other is left.
+#[inline(never)]
+fn step_shifts_ring<const EARLIEST: usize>() {
+    let (mut ramp, limits) = any_ring::<8, EARLIEST>();
+    let before = ramp.clone();
+    let Some(pulse) = ramp.step() else {
+        assert!(before.left() == 0 && before.moved() == before.way(7));
+        return;
+    };
+    kani::cover!(pulse && before.left() > 0 && ramp.left() > 0);
+    let moved = u64::from(ramp.moved());
+    assert!(moved > 0 && moved <= 8 * u64::from(limits.largest));
+    let carried = if pulse { 8 << limits.bits } else { 0 };
+    assert!(u64::from(ramp.phase()) + carried == u64::from(before.phase()) + moved);
+    assert!(ramp.pulses() == before.pulses() + u32::from(pulse));
+
     assert!(u64::from(ramp.way(0)) == before.left() - ramp.left());
+    assert!(ramp.moved() + before.way(7) == before.moved() + ramp.way(0));
     let mut age = 1;
     while age < 8 {
         assert!(ramp.way(age) == before.way(age - 1));
         age += 1;
     }
-    assert!(ramp.moved() + before.way(7) == before.moved() + ramp.way(0));
+    assert!(ramp.bounds_hold());
+}
+
+#[kani::proof]
+fn ramp_s_curve_step_shifts_ring_from_first() {
+    step_shifts_ring::<0>();
+}
+
+#[kani::proof]
+fn ramp_s_curve_step_shifts_ring_from_within() {
+    step_shifts_ring::<3>();
+}
+
+#[kani::proof]
+fn ramp_s_curve_step_shifts_ring_from_last() {
+    step_shifts_ring::<7>();
 }
 
 /// Two ways of the trapezoid that follow one another differ by the acceleration or the start speed
@@ -142,7 +179,7 @@ fn ramp_s_curve_ways_change_within_limits() {
 /// All pulses are made at the end, and none is left in the phase.
 #[kani::proof]
 fn ramp_s_curve_done_means_all_pulses() {
-    let (ramp, _) = any_state::<8>();
+    let (ramp, _) = any_state::<0>();
     kani::cover!(ramp.is_done() && ramp.pulses() > 0);
     if ramp.is_done() {
         assert!(ramp.to_come() == 0 && ramp.phase() == 0);

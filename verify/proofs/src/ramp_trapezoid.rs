@@ -17,7 +17,8 @@ fn any_limits() -> Limits {
     Limits { bits, start, acceleration, largest }
 }
 
-/// Any speed with what stopping takes and what is left; no phase, and no pulse made.
+/// Any speed with what stopping takes and what is left, before the first pulse. The phase is the only one
+/// that makes whole pulses of it.
 pub(crate) fn any_speeds() -> (Trapezoid, Limits) {
     let limits = any_limits();
     let moves: bool = kani::any();
@@ -39,20 +40,20 @@ pub(crate) fn any_speeds() -> (Trapezoid, Limits) {
         (0, 0)
     };
     let left: u64 = kani::any();
-    kani::assume(left < 1 << 63 && stopping <= left);
-    (Trapezoid::in_state(limits, left, speed, stopping, 0, 0), limits)
+    kani::assume(left < 1 << 63);
+    let phase = left.wrapping_neg() as u32 & ((1 << limits.bits) - 1);
+    let ramp = Trapezoid::in_state(limits, left, speed, stopping, phase, 0);
+    kani::assume(ramp.invariant());
+    (ramp, limits)
 }
 
 /// Any state that satisfies the invariant.
 fn any_state() -> (Trapezoid, Limits) {
-    let (speeds, limits) = any_speeds();
-    let [phase, pulses]: [u32; 2] = kani::any();
+    let (first, limits) = any_speeds();
     // No more pulses than there were to make.
-    kani::assume(pulses < u32::MAX);
-    let [left, stopping] = [speeds.left(), speeds.stopping()];
-    let ramp = Trapezoid::in_state(limits, left, speeds.speed(), stopping, phase, pulses);
-    kani::assume(ramp.invariant());
-    (ramp, limits)
+    let pulses = kani::any_where(|pulses: &u32| *pulses < u32::MAX);
+    let [left, stopping] = [first.left(), first.stopping()];
+    (Trapezoid::in_state(limits, left, first.speed(), stopping, first.phase(), pulses), limits)
 }
 
 #[kani::proof]
