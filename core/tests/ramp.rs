@@ -1,4 +1,5 @@
 //! Ramps: what they emit, against the limits.
+#![allow(clippy::unwrap_used)]
 
 use onepulse_core::Error;
 use onepulse_core::ramp::{Limits, SCurve, Trapezoid};

@@ -11,6 +11,7 @@
 //!
 //! An error from 0 to E adds at most E times the sum of the divided difference's positive weights.
 //! Multiplied by all denominators, these are inequalities of whole numbers.
+#![allow(clippy::unwrap_used)]
 
 use onepulse_core::ramp::{Limits, SCurve, Trapezoid};
 use proptest::prelude::*;
