@@ -15,7 +15,7 @@
 //! | [`vector`] | vector discrimination (矢量判别法) | line, arc |
 //! | [`comparison`] | comparison integration (比较积分法) | line, arc |
 //! | [`Helix`] | comparison in a plane, digital integration across it | helix |
-//! | [`ramp`] | acceleration of an open loop | one axis |
+//! | [`ramp`] | acceleration of an open loop: trapezoid, S-curve | one axis |
 //! | [`parabola`] | point-by-point comparison, minimum deviation, digital integration | parabola |
 //!
 //! ```

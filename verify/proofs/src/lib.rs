@@ -32,6 +32,7 @@ mod ppc_arc;
 mod ppc_line;
 mod product;
 mod quadrant_walk;
+mod ramp_s_curve;
 mod ramp_trapezoid;
 mod same;
 mod space_line;

@@ -17,8 +17,9 @@ fn any_limits() -> Limits {
     Limits { bits, start, acceleration, largest }
 }
 
-/// Any state that satisfies the invariant.
-fn any_state() -> (Trapezoid, Limits) {
+/// Any speed with what stopping takes and what is left, before the first pulse. The phase is the only one
+/// that makes whole pulses of it.
+pub(crate) fn any_speeds() -> (Trapezoid, Limits) {
     let limits = any_limits();
     let moves: bool = kani::any();
     let (speed, stopping) = if moves {
@@ -38,12 +39,21 @@ fn any_state() -> (Trapezoid, Limits) {
     } else {
         (0, 0)
     };
-    let (left, [phase, pulses]): (u64, [u32; 2]) = (kani::any(), kani::any());
-    // No more pulses than there were to make.
-    kani::assume(left < 1 << 63 && pulses < u32::MAX);
-    let ramp = Trapezoid::in_state(limits, left, speed, stopping, phase, pulses);
+    let left: u64 = kani::any();
+    kani::assume(left < 1 << 63);
+    let phase = left.wrapping_neg() as u32 & ((1 << limits.bits) - 1);
+    let ramp = Trapezoid::in_state(limits, left, speed, stopping, phase, 0);
     kani::assume(ramp.invariant());
     (ramp, limits)
+}
+
+/// Any state that satisfies the invariant.
+fn any_state() -> (Trapezoid, Limits) {
+    let (first, limits) = any_speeds();
+    // No more pulses than there were to make.
+    let pulses = kani::any_where(|pulses: &u32| *pulses < u32::MAX);
+    let [left, stopping] = [first.left(), first.stopping()];
+    (Trapezoid::in_state(limits, left, first.speed(), stopping, first.phase(), pulses), limits)
 }
 
 #[kani::proof]
@@ -52,13 +62,16 @@ fn ramp_trapezoid_new_establishes_invariant() {
     let [start, acceleration, largest]: [u32; 3] = kani::any();
     let pulses: u32 = kani::any();
     let limits = Limits { bits, start, acceleration, largest };
+    let is_served = (1..=31).contains(&bits)
+        && (start >= 1 && acceleration >= 1 && largest >> bits == 0)
+        && (start <= largest && acceleration <= largest);
     let Ok(ramp) = Trapezoid::new(pulses, limits) else {
         kani::cover!(start == 0);
+        assert!(!is_served);
         return;
     };
     kani::cover!(bits == 31 && pulses == u32::MAX);
-    assert!(start >= 1 && acceleration >= 1 && largest >> bits == 0);
-    assert!(start <= largest && acceleration <= largest);
+    assert!(is_served);
     assert!(ramp.left() == u64::from(pulses) << bits);
     assert!(ramp.speed() == 0 && ramp.pulses() == 0 && ramp.phase() == 0);
     assert!(ramp.invariant());

@@ -26,7 +26,7 @@ pub(super) struct Judge {
 }
 
 /// The files of the machines, and the modules of the harnesses that run each.
-pub(super) const FILES: [(&str, &[&str]); 27] = [
+pub(super) const FILES: [(&str, &[&str]); 31] = [
     ("core/src/ppc/line.rs", &["ppc_line"]),
     ("core/src/ppc/arc.rs", &["ppc_arc"]),
     ("core/src/dda/line.rs", &["dda_line"]),
@@ -51,7 +51,11 @@ pub(super) const FILES: [(&str, &[&str]); 27] = [
     ("core/src/brm/smoothed.rs", &["brm_smoothed"]),
     ("core/src/circle.rs", &["circle"]),
     ("core/src/walk.rs", &["ppc_arc", "circle"]),
+    ("core/src/ramp/limits.rs", &["ramp_trapezoid", "ramp_s_curve"]),
+    ("core/src/ramp/speeds.rs", &["ramp_trapezoid", "ramp_s_curve"]),
+    ("core/src/ramp/phase.rs", &["ramp_trapezoid", "ramp_s_curve"]),
     ("core/src/ramp/trapezoid.rs", &["ramp_trapezoid"]),
+    ("core/src/ramp/s_curve.rs", &["ramp_s_curve"]),
     ("core/src/sweep.rs", &["ppc_arc", "dda_arc", "centred_arc"]),
     ("core/src/quadrant.rs", &["ppc_arc", "dda_arc", "centred_arc"]),
 ];
