@@ -8,6 +8,7 @@ use crate::interpolator::DriveTimes;
 use crate::motion_settings::MotionOptions;
 use crate::profile;
 use crate::pulses;
+use crate::ramp::RampArguments;
 use crate::sample::SamplingName;
 use crate::table::{Format, Language};
 use clap::{Args, Parser, Subcommand};
@@ -57,6 +58,13 @@ pub(crate) enum Command {
     FeedRate(FeedRateArguments),
     /// The points of one curve by data sampling, in millimetres
     Sample(SampleArguments),
+    /// The pulses of one axis that starts and stops by itself, along a trapezoid or an S-curve
+    ///
+    /// The integer machines of an open loop: a speed register that changes by no more than the acceleration on
+    /// each clock, and a phase register whose carry is the pulse. There are exactly as many pulses as asked,
+    /// however few. Limits are rounded down to what the registers hold, which is said on standard error.
+    /// The speed of a row is that of the register, in pulses a second.
+    Ramp(RampArguments),
     /// The motion of a G-code program over time: speed, acceleration, jerk, pulse intervals
     ///
     /// Speeds are planned through the whole program: what the next 128 blocks at least demand is known in

@@ -11,8 +11,10 @@ mod machine;
 mod machine_file;
 mod motion_settings;
 mod output;
+mod plots;
 mod profile;
 mod pulses;
+mod ramp;
 mod run;
 mod sample;
 mod table;
@@ -31,6 +33,7 @@ fn main() -> ExitCode {
         Command::FeedRate(arguments) => feed_rate::feed_rate(&arguments),
         Command::Sample(arguments) => sample::sample(&arguments),
         Command::Profile(arguments) => profile::profile(&arguments),
+        Command::Ramp(arguments) => ramp::ramp(&arguments),
         Command::Run(arguments) => run::run(&arguments),
     };
     match done {
