@@ -117,6 +117,11 @@ fn ramp_trapezoid_step_preserves_invariant() {
         let rises = speed > 0 && after == speed + acceleration;
         let falls = after > 0 && after + acceleration == speed;
         assert!(starts || rises || falls || after == speed);
+        // As fast as it can be.
+        let next = if speed == 0 { u64::from(limits.start) } else { speed + acceleration };
+        let can_stop = before.stopping() + speed + next <= before.left();
+        assert!((starts || rises) == (next <= u64::from(limits.largest) && can_stop));
+        assert!(falls == (speed > 0 && before.stopping() + speed > before.left()));
         let stopping = if rises {
             before.stopping() + speed
         } else if falls {
