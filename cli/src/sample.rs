@@ -77,11 +77,10 @@ pub(crate) fn sample(arguments: &SampleArguments) -> Result<(), Failure> {
     let failed = |error: SamplingError| Failure::Usage(error.to_string());
     let written = match arguments.curve() {
         Curve::Line { to } => match to[..] {
-            [x, y] => {
-                let points = Line::new([x, y].map(millimetres), asked).map_err(failed)?;
-                write(points, None)
-            }
-            _ => return Err(Failure::Usage("--to: lines of 2 axes are sampled".into())),
+            [x, y] => line([x, y].map(millimetres), asked).map_err(failed)?,
+            [x, y, z] => line([x, y, z].map(millimetres), asked).map_err(failed)?,
+            [x, y, z, a] => line([x, y, z, a].map(millimetres), asked).map_err(failed)?,
+            _ => return Err(Failure::Usage("--to: a line has 2 to 4 axes".into())),
         },
         Curve::Arc { from, to, direction } => {
             let [start, end] = [from, to].map(|point| point.map(millimetres));
@@ -95,7 +94,7 @@ pub(crate) fn sample(arguments: &SampleArguments) -> Result<(), Failure> {
                 }
             }
             let errors = arguments.errors.then_some((start, arc.radius()));
-            write(arc, errors)
+            write_arc(arc, errors)
         }
         Curve::Parabola { .. } | Curve::Helix { .. } => {
             return Err(Failure::Usage("lines and arcs are sampled".into()));
@@ -104,15 +103,30 @@ pub(crate) fn sample(arguments: &SampleArguments) -> Result<(), Failure> {
     written.map_err(|error| Failure::stdout(&error))
 }
 
-/// Writes the points; of an arc, from its start and with its radius, their errors too.
-fn write(points: impl Iterator<Item = [f64; 2]>, arc: Option<([f64; 2], f64)>) -> io::Result<()> {
+/// Writes the points of a line.
+fn line<const AXES: usize>(end: [f64; AXES], step: f64) -> Result<io::Result<()>, SamplingError> {
+    let line = Line::new(end, step)?;
+    let written = || {
+        let mut out = BufWriter::new(io::stdout().lock());
+        writeln!(out, "k,{}", crate::pulses::AXES[..AXES].join(","))?;
+        for (k, point) in (1_u64..).zip(line) {
+            writeln!(out, "{k},{}", point.map(|c| c.to_string()).join(","))?;
+        }
+        out.flush()
+    };
+    Ok(written())
+}
+
+/// Writes the points of an arc; from its start and with its radius, their errors too.
+fn write_arc(arc: Arc, errors: Option<([f64; 2], f64)>) -> io::Result<()> {
     let mut out = BufWriter::new(io::stdout().lock());
-    let columns = if arc.is_some() { ",chord_error,textbook_chord_error,radius_error" } else { "" };
+    let columns =
+        if errors.is_some() { ",chord_error,textbook_chord_error,radius_error" } else { "" };
     writeln!(out, "k,x,y{columns}")?;
-    let mut last = arc.map_or([0.0; 2], |(start, _)| start);
-    for (k, [x, y]) in (1_u64..).zip(points) {
+    let mut last = errors.map_or([0.0; 2], |(start, _)| start);
+    for (k, [x, y]) in (1_u64..).zip(arc) {
         write!(out, "{k},{x},{y}")?;
-        if let Some((_, radius)) = arc {
+        if let Some((_, radius)) = errors {
             let chord = (x - last[0]).hypot(y - last[1]);
             let exact = chord_error(radius, chord);
             let textbook = textbook_chord_error(radius, chord);

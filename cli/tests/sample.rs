@@ -33,6 +33,17 @@ fn a_line_has_the_steps_of_the_seeds_formula() {
 }
 
 #[test]
+fn a_line_in_space_has_its_steps_too() {
+    // 7 mm in steps of 0.4: along (2, 3, 6).
+    let (header, rows, _) = table("line --to 2000,-3000,6000 --feed 3000");
+    assert_eq!(header, "k,x,y,z");
+    assert_eq!(rows.len(), 18);
+    assert!((rows[0][3] - 0.4 * 6.0 / 7.0).abs() < 1e-12 && rows[0][2] < 0.0);
+    assert_eq!(rows[17][..], [18.0, 2.0, -3.0, 6.0]);
+    assert_eq!(table("line --to 1,2,3,4").0, "k,x,y,z,a");
+}
+
+#[test]
 fn an_arc_ends_on_its_end_point() {
     for method in ["7m", "7360", "direct-function", "second-order"] {
         let (_, rows, _) =
@@ -60,7 +71,6 @@ fn the_tolerance_reduces_the_feed() {
 #[test]
 fn what_cannot_be_sampled_is_a_wrong_command_line() {
     for arguments in [
-        "line --to 1,2,3",
         "parabola --p 2 --to 4,4",
         "arc --from 50,0 --to 0,50 --ccw --feed 30000",
         "arc --from 0,0 --to 0,50 --ccw",

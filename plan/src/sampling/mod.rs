@@ -3,6 +3,9 @@
 //! Lengths here are `f64` millimetres, as in the controls that do so: pulses are rounded from the
 //! points, each time from the whole way so far ([`Pulses`]), so that nothing is lost over a block.
 //!
+//! The points of an arc are those of its plane, its first axis and its second: in G18 they are z and x
+//! ([`Plane`](onepulse_core::Plane)).
+//!
 //! | | line | arc |
 //! |---|---|---|
 //! | 7M, time division (时间分割法) | [`Line`] | [`ArcMethod::SevenM`] |
