@@ -2,6 +2,7 @@
 
 use crate::choice::{EndRuleName, MethodName, PresetName, UpdateName};
 use crate::compare;
+use crate::contour_error::ContourErrorArguments;
 use crate::curve::{AxisName, Curve, PlaneName, PlanePoint, Point, coordinate};
 use crate::feed_rate::FeedRateArguments;
 use crate::interpolator::DriveTimes;
@@ -58,6 +59,12 @@ pub(crate) enum Command {
     FeedRate(FeedRateArguments),
     /// The points of one curve by data sampling, in millimetres
     Sample(SampleArguments),
+    /// What ramps after interpolation and position loops take from circles and corners
+    ///
+    /// Each error three times, in millimetres: as the textbooks' formula has it, for periods that are short and
+    /// errors that are small; exactly, period by period; and measured on a path that was run through. All
+    /// are those of a steady speed; that of a circle is what its radius loses.
+    ContourError(ContourErrorArguments),
     /// The pulses of one axis that starts and stops by itself, along a trapezoid or an S-curve
     ///
     /// The integer machines of an open loop: a speed register that changes by no more than the acceleration on

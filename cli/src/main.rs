@@ -3,6 +3,7 @@
 mod args;
 mod choice;
 mod compare;
+mod contour_error;
 mod curve;
 mod failure;
 mod feed_rate;
@@ -33,6 +34,7 @@ fn main() -> ExitCode {
         Command::FeedRate(arguments) => feed_rate::feed_rate(&arguments),
         Command::Sample(arguments) => sample::sample(&arguments),
         Command::Profile(arguments) => profile::profile(&arguments),
+        Command::ContourError(arguments) => contour_error::contour_error(&arguments),
         Command::Ramp(arguments) => ramp::ramp(&arguments),
         Command::Run(arguments) => run::run(&arguments),
     };

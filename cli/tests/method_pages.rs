@@ -16,7 +16,8 @@ fn folder() -> PathBuf {
 /// What the program prints for a command such as `onepulse table …`.
 fn printed(command: &str) -> String {
     let arguments = command.strip_prefix("onepulse ").unwrap().split_whitespace();
-    let output = cargo_bin_cmd!("onepulse").args(arguments).output().unwrap();
+    let root = folder().join("../..");
+    let output = cargo_bin_cmd!("onepulse").current_dir(root).args(arguments).output().unwrap();
     assert!(output.status.success(), "{command}: {}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).unwrap()
 }
