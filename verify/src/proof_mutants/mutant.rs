@@ -20,8 +20,15 @@ pub(super) struct Mutant {
 }
 
 /// What a machine says of itself: the specification, which harnesses assume and assert.
-const SPECIFICATION: [&str; 6] =
-    ["invariant", "invariant_given", "bounds_hold", "counters_hold", "dividers_hold", "passed"];
+const SPECIFICATION: [&str; 7] = [
+    "invariant",
+    "invariant_given",
+    "bounds_hold",
+    "completes",
+    "counters_hold",
+    "dividers_hold",
+    "passed",
+];
 
 /// Each operator that stands between two operands, and what is put in its place: its contrary, and
 /// for an order also what differs at the boundary alone.
