@@ -483,6 +483,116 @@
 (check-sat) ; expect unsat
 (pop 1)
 
+; lemma: sum_of_whole_periods_and_a_rest
+; With half load the remainder across, JR, is after the pulses a multiple of g = gcd(P,m) below P, each of the T = P/g of
+; them once a period. Whole periods of `whole` pulses have the sum whole*(P - g)/2, and the w largest of the T have
+; w*(P - g) - g*w*(w - 1)/2; together that is v*(P - g)/2 + g*w*(T - w)/2.
+; mutant: replace "(- w 1.0)" by "w"
+(push 1)
+(declare-const g Real)
+(declare-const T Real)
+(declare-const whole Real)
+(declare-const w Real)
+(define-fun P () Real (* g T))
+(define-fun v () Real (+ whole w))
+(define-fun rest () Real (- (* w (- P g)) (* 0.5 g w (- w 1.0))))
+(check-sat) ; expect sat
+(assert (not (= (+ (* 0.5 whole (- P g)) rest) (+ (* 0.5 v (- P g)) (* 0.5 g w (- T w))))))
+(check-sat) ; expect unsat
+(pop 1)
+
+; lemma: largest_rest
+; w*(T - w) <= T^2/4. (The assertion: a square is not negative.)
+; mutant: replace "(* 0.25 T T)" by "(* 0.24 T T)"
+(push 1)
+(declare-const T Real)
+(declare-const w Real)
+(assert (>= (* (- T (* 2.0 w)) (- T (* 2.0 w))) 0.0))
+(check-sat) ; expect sat
+(assert (not (<= (* w (- T w)) (* 0.25 T T))))
+(check-sat) ; expect unsat
+(pop 1)
+
+; lemma: sum_of_the_remainders
+; So the sum is v*P/2 + P^2/8 at most, and grown, its double, v*P + P^2/4. The products are unknowns: vg = v*g >= 0,
+; gwT = g*w*(T - w) <= g*T^2/4 = P*T/4, and PT = P*T <= P^2.
+; mutant: replace "(<= PT PP)" by "(<= PT (* 2.0 PP))"
+; mutant: replace "(>= vg 0.0)" by "true"
+(push 1)
+(declare-const vP Real)
+(declare-const vg Real)
+(declare-const gwT Real)
+(declare-const PT Real)
+(declare-const PP Real)
+(declare-const grown Real)
+(assert (>= vg 0.0))
+(assert (<= gwT (* 0.25 PT)))
+(assert (<= PT PP))
+(assert (<= grown (* 2.0 (+ (* 0.5 (- vP vg)) (* 0.5 gwT)))))
+(check-sat) ; expect sat
+(assert (not (<= grown (+ vP (* 0.25 PP)))))
+(check-sat) ; expect unsat
+(pop 1)
+
+; lemma: register_term_of_the_sum
+; v*P + P^2/4 <= (small/2 + P/8)*m with a headroom bit.
+; mutant: replace "(<= (* 2.0 v) m)" by "(<= v m)"
+; mutant: replace "(<= (* 2.0 P) m)" by "(<= P m)"
+(push 1)
+(declare-const P Real)
+(declare-const v Real)
+(declare-const m Real)
+(define-fun small () Real (ite (<= P v) P v))
+(assert (and (>= P 1.0) (>= v 1.0)))
+(assert (<= (* 2.0 P) m))
+(assert (<= (* 2.0 v) m))
+(check-sat) ; expect sat
+(assert (not (<= (+ (* v P) (* 0.25 P P)) (* (+ (* 0.5 small) (* 0.125 P)) m))))
+(check-sat) ; expect unsat
+(pop 1)
+
+; lemma: bend_beside_the_diagonal
+; Above it, with v written as P + beside, v^2 <= (1 + beside)/2*s2, and <= (1/2 + beside/5)*s2 from v + P = 5 on.
+; mutant: replace "(>= (+ v P) 5.0)" by "(>= (+ v P) 4.5)"
+; mutant: replace "(* 0.5 beside)" by "(* 0.4 beside)"
+(push 1)
+(declare-const P Real)
+(declare-const beside Real)
+(define-fun v () Real (+ P beside))
+(define-fun s2 () Real (+ (* P P) (* v v)))
+(assert (>= P 1.0))
+(assert (>= beside 0.0))
+(check-sat) ; expect sat
+(assert (not (and (<= (* v v) (* (+ 0.5 (* 0.5 beside)) s2))
+                  (=> (>= (+ v P) 5.0) (<= (* v v) (* (+ 0.5 (* 0.2 beside)) s2))))))
+(check-sat) ; expect unsat
+(pop 1)
+
+; lemma: outside_with_half_load_and_a_headroom_bit
+; d = 1, so that 2*d*s = sqrt(2)*r >= 1.4142*r, and d^2 = 1. The first bound of F serves up to v + P = 5, the second one
+; from there on.
+; mutant: replace "(* 0.125 P)" by "(* 0.3 P)"
+; mutant: replace "(+ v P small (- 1.0))" by "(+ v P small)"
+; mutant: replace "(<= (* 2.0 bend) 1.0)" by "(<= bend 1.0)"
+(push 1)
+(declare-const P Real)
+(declare-const v Real)
+(declare-const r Real)
+(declare-const F Real)
+(declare-const bend Real)
+(define-fun small () Real (ite (<= P v) P v))
+(assert (and (>= P 1.0) (>= v 1.0)))
+(assert (<= F (+ v P small (- 1.0))))
+(assert (<= F (+ v P (* 0.5 small) (* 0.125 P))))
+(assert (<= (+ v P) r))
+(assert (=> (<= v P) (<= (* 2.0 bend) 1.0)))
+(assert (=> (>= v P) (<= bend (+ 0.5 (* 0.5 (- v P))))))
+(assert (=> (and (>= v P) (>= (+ v P) 5.0)) (<= bend (+ 0.5 (* 0.2 (- v P))))))
+(check-sat) ; expect sat
+(assert (not (<= (+ (- F (* 1.4142 r)) bend) 0.0)))
+(check-sat) ; expect unsat
+(pop 1)
+
 ; lemma: outside_without_load
 ; k = 1 and d = 5*sqrt(2)/4, so that 2*d*s = (5/2)*r and d^2 = 25/8.
 ; mutant: replace "(* 2.0 (- small 1.0))" by "(* 2.0 (+ small 1.0))"

@@ -24,7 +24,7 @@
 //! |---|---|---|
 //! | [`Ppc`] | point-by-point comparison | 1 pulse |
 //! | [`MinimumDeviation`] | straight and diagonal steps, the nearest of three | ½ pulse |
-//! | [`Dda`] | digital integration | 0.884 pulses with half load and two headroom bits |
+//! | [`Dda`] | digital integration | 1 pulse with half load and one headroom bit |
 
 mod dda;
 mod minimum_deviation;
