@@ -302,6 +302,29 @@ fn how_far_integration_strays_with_headroom() {
             assert_eq!((1000.0 * off).round() as i32, expected);
         }
     }
+    // To the other presets it is little help: 8 bits.
+    for (preset, expected) in [(Preset::Zero, [1222, 1147]), (Preset::Full, [1062, 1062])] {
+        for (headroom, expected) in (1..).zip(expected) {
+            let (off, _) = farthest(8, headroom, preset);
+            assert_eq!((1000.0 * off).round() as i32, expected);
+        }
+    }
+}
+
+/// docs/proofs/parabola_dda.md: with the other presets no headroom is enough.
+#[test]
+fn integration_without_half_load_loses_a_pulse_in_every_register() {
+    for (preset, narrowest, p, lost, expected) in
+        [(Preset::Zero, 2, 3, [0, 3], 1126), (Preset::Full, 8, 18, [4, 10], 1062)]
+    {
+        for bits in narrowest..=16 {
+            let register = Register::new(Radix::Binary, bits).unwrap();
+            let end = shape(p, i32::MAX, (1 << bits) - 1);
+            let curve = Dda::new(end, register, preset).unwrap();
+            assert!(points(curve).any(|point| point == lost), "{preset:?}, {bits} bits");
+        }
+        assert_eq!((1000.0 * distance(i64::from(p), lost)).round() as i32, expected);
+    }
 }
 
 /// docs/proofs/parabola_dda.md: F's bounds, whatever is left free of the registers.

@@ -305,7 +305,7 @@ fn parabola_dda_step_preserves_invariant() {
 
 /// Q3's step, until an axis stands. A remainder, as a number about zero, takes the integrand of
 /// before and gives 2ⁿ to a pulse; and what a pulse across changes Φ by, 2(a + |p|) − 2ⁿ, is from 0 to
-/// 2(|p| − 1).
+/// 2(|p| − 1), twice what its remainder register holds after it.
 #[kani::proof]
 fn parabola_dda_step_bounds_its_change() {
     let (mut curve, point, jr) = any_integration();
@@ -334,6 +334,7 @@ fn parabola_dda_step_bounds_its_change() {
         let change = 2 * (a + parameter) - modulus;
         kani::cover!(change == 2 * (parameter - 1) && parameter == 1 << 31);
         assert!(0 <= change && change <= 2 * (parameter - 1));
+        assert!(change == 2 * (a_after + half));
     }
     // The point takes the pulses.
     let now = curve.pulses_to_go();
