@@ -17,15 +17,32 @@ use crate::{Error, Pulse};
 /// least, until it stands; then v ≥ 1 does the same for the other, unless the end point is on the
 /// axis of symmetry itself: there v stays 0, and the remaining pulses are sent one a clock.
 ///
-/// **It does not keep within one pulse of the parabola.** The farthest points of all parabolas that
-/// an n-bit register holds, before an axis stands (measured on every one; for no n is a bound
-/// proved):
+/// **It keeps within one pulse of the parabola with half load and one headroom bit**: if |p| and
+/// the last v are below 2ⁿ⁻¹, no point is farther from it than that, for every n. That holds until an
+/// axis stands, and to an end point on the parabola until the end. What it rests on is
+/// F = v² − 2|p|·u with the remainders in it, Φ = 2ⁿ·v² + 2av − 2|p|(2ⁿ·u + b), where a and b are they,
+/// across and along, less 2ⁿ⁻¹: a pulse across adds 0 to 2(|p| − 1) to it, and nothing else changes it.
+/// The argument is in `docs/proofs/parabola_dda.md`.
+///
+/// With no headroom, or with the other presets, a pulse is not kept:
+///
+/// | preset | proved for every n | with one headroom bit | with two |
+/// |---|---|---|---|
+/// | zero | 5√2/4 = 1.768 | √2 = 1.414 | √2 |
+/// | half load | √2 | 1 | 5√2/8 = 0.884 |
+/// | full load | √5/2 = 1.118 | √5/2 | √5/2 |
+///
+/// The farthest points of all parabolas that an n-bit register holds, up to the pulse with which an
+/// axis stands (measured on every one):
 ///
 /// | preset | n = 2 | 3 | 4 | 5 | 6 | 7 | 8 | |
 /// |---|---|---|---|---|---|---|---|---|
-/// | zero | 0.750 | 1.225 | 1.251 | 1.335 | 1.350 | 1.365 | 1.371 | p = 255 at (112, 241) |
-/// | half load | 0.567 | 0.624 | 0.783 | 0.870 | 0.976 | 0.930 | 1.017 | p = 232 at (130, 247) |
+/// | zero | 1.126 | 1.225 | 1.251 | 1.335 | 1.350 | 1.365 | 1.371 | p = 255 at (112, 241) |
+/// | half load | 0.567 | 0.624 | 0.783 | 0.870 | 0.976 | 0.974 | 1.017 | p = 232 at (130, 247) |
 /// | full load | 0.647 | 0.843 | 0.929 | 0.967 | 1.006 | 1.038 | 1.062 | p = 18 at (4, 10) |
+///
+/// With full load p = 66 in 11 bits comes to 1.103 at (10, 34); with half load and one headroom bit p = 95
+/// in 8 bits to 0.837 at (59, 107).
 ///
 /// ```
 /// use onepulse_core::dda::{Preset, Radix, Register};

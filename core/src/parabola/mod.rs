@@ -15,15 +15,16 @@
 //! The end point need not be on the parabola, as in a program rounded to pulses. The rule is the
 //! one of the arcs' last quadrant: an axis that has come to its end coordinate stands, the other
 //! goes on, and the curve ends when both stand. So the end is always exact. On the way to an end
-//! point *on* the parabola no axis ever stands before its time (F has the right sign there), and
-//! what is said of the deviation holds from vertex to end; to another it holds until an axis
-//! stands, and from there on the way to the end point is straight.
+//! point *on* the parabola what is said of the deviation holds from vertex to end: where F decides, no
+//! axis ever stands before its time (F has the right sign there), and where it does not, the way
+//! from there leads straight to the parabola. To another end point it holds until an axis stands, and
+//! from there on the way to the end point is straight.
 //!
 //! | machine | method | farthest from the parabola |
 //! |---|---|---|
 //! | [`Ppc`] | point-by-point comparison | 1 pulse |
 //! | [`MinimumDeviation`] | straight and diagonal steps, the nearest of three | ½ pulse |
-//! | [`Dda`] | digital integration | 1.02 pulses measured with half load, 1.37 without |
+//! | [`Dda`] | digital integration | 1 pulse with half load and one headroom bit |
 
 mod dda;
 mod minimum_deviation;

@@ -3,6 +3,10 @@
 //! F = v² − 2|p|·u holds throughout; v² and |p|·u are the ghosts of [`square`] and [`product`]. Nothing
 //! of them is needed but that F does not overflow: its bounds follow from its sign and the rule. What
 //! the bounds mean is in `verify/lemmas/parabola.smt2`.
+//!
+//! Q3 is the integrators' own: with a and b their remainders less 2ⁿ⁻¹, across and along,
+//! Φ = 2ⁿ·v² + 2av − 2|p|(2ⁿ·u + b) grows at pulses across only, by less than 2|p|. The step is here; the
+//! algebra is in `verify/lemmas/parabola_dda.smt2`, the argument in `docs/proofs/parabola_dda.md`.
 
 use crate::any::{any_axis, any_binary_register, any_preset};
 use crate::product::{product, square};
@@ -297,6 +301,45 @@ fn parabola_dda_step_preserves_invariant() {
             assert!(worth + curve.remainders()[axis] == before.remainders()[axis] + integrand);
         }
     }
+}
+
+/// Q3's step, until an axis stands. A remainder, as a number about zero, takes the integrand of
+/// before and gives 2ⁿ to a pulse; and what a pulse across changes Φ by, 2(a + |p|) − 2ⁿ, is from 0 to
+/// 2(|p| − 1), twice what its remainder register holds after it.
+#[kani::proof]
+fn parabola_dda_step_bounds_its_change() {
+    let (mut curve, point, jr) = any_integration();
+    let shape = *curve.shape();
+    let along = shape.axis();
+    let to_go = curve.pulses_to_go();
+    kani::assume(to_go[0] > 0 && to_go[1] > 0);
+    let modulus = curve.register().modulus() as i64;
+    let half = modulus / 2;
+    let [b, a] = jr.map(|jr| jr as i64 - half);
+    let parameter = i64::from(shape.parameter().unsigned_abs());
+    let Some(pulse) = curve.step() else { panic!("a curve on its way is not done") };
+    let [p, q] = [along.other(), along].map(|axis| i64::from(axis.of(pulse.0).unsigned_abs()));
+    kani::cover!(p == 1 && q == 1);
+    kani::cover!(p == 0 && q == 0);
+    let jr = curve.remainders();
+    let [a_after, b_after] = [along.other(), along].map(|axis| axis.of(jr) as i64 - half);
+    for (remainder, after, integrand, pulse) in
+        [(a, a_after, parameter, p), (b, b_after, i64::from(point[1]), q)]
+    {
+        assert!(-half <= after && after < half);
+        assert!(pulse <= 1);
+        assert!(after == remainder + integrand - if pulse == 1 { modulus } else { 0 });
+    }
+    if p == 1 {
+        let change = 2 * (a + parameter) - modulus;
+        kani::cover!(change == 2 * (parameter - 1) && parameter == 1 << 31);
+        assert!(0 <= change && change <= 2 * (parameter - 1));
+        assert!(change == 2 * (a_after + half));
+    }
+    // The point takes the pulses.
+    let now = curve.pulses_to_go();
+    assert!(along.of(now) + q as u64 == along.of(to_go));
+    assert!(along.other().of(now) + p as u64 == along.other().of(to_go));
 }
 
 /// How far the integrators are from their end: a step makes it less, in the order of the dictionary.
