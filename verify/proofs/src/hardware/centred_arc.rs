@@ -55,35 +55,23 @@ fn any_step() -> Step {
 fn any_step_that_takes() -> Step {
     let (before, bits) = any_state_in_registers();
     kani::assume(!before.is_done());
-    let any_move = |axis: usize| {
-        let pulse = kani::any_where(|pulse: &i8| (-1..=1).contains(pulse));
-        let jr = u64::from(kani::any::<u32>()) & (before.register().modulus() - 1);
-        if takes(&before, axis) { (pulse, jr) } else { without_sum(&before, axis) }
-    };
-    let [(p, jrx), (q, jry)] = [any_move(0), any_move(1)];
-    let (pulse, after) = ([p, q], moved(&before, [p, q], [jrx, jry]));
-    let [x, y] = after.position();
-    kani::assume(has_headroom(&after, x) && has_headroom(&after, y));
-    kani::cover!(takes(&before, 0) && p == 1 && q == -1 && after.shift() > 0);
-    kani::cover!(!takes(&before, 1) && q == -1);
-    Step { bits, before, after, pulse }
+    let pulse = [any_pulse(), any_pulse()];
+    let jr = kani::any::<[u32; 2]>().map(u64::from);
+    let step = Step { bits, before, after: taken(&before, pulse, jr), pulse };
+    let [x, y] = step.after.position();
+    kani::assume(step.takes_sums());
+    kani::assume(has_headroom(&before, x) && has_headroom(&before, y));
+    kani::cover!(step.takes(0) && pulse[0] == 1 && pulse[1] == -1 && before.shift() > 0);
+    kani::cover!(!step.takes(1) && pulse[1] == -1);
+    step
 }
 
-/// Whether the machine takes the sum of an axis.
-fn takes(arc: &CentredArc, axis: usize) -> bool {
-    let (sweep, at) = (arc.sweep(), arc.position());
-    !sweep.is_stepping_out(at) && !sweep.stands(at)[axis]
-}
-
-/// Pulse and next remainder of an axis that takes no sum.
-fn without_sum(arc: &CentredArc, axis: usize) -> (i8, u64) {
-    let (sweep, at) = (arc.sweep(), arc.position());
-    let pulse = if sweep.is_stepping_out(at) { sweep.step_out(at).0[axis] } else { 0 };
-    (pulse, arc.remainders()[axis])
+fn any_pulse() -> i8 {
+    kani::any_where(|pulse: &i8| (-1..=1).contains(pulse))
 }
 
 /// The machine after these pulses and with these remainders.
-fn moved(before: &CentredArc, pulse: [i8; 2], jr: [u64; 2]) -> CentredArc {
+fn taken(before: &CentredArc, pulse: [i8; 2], jr: [u64; 2]) -> CentredArc {
     let ([x, y], mut sweep) = (before.position(), *before.sweep());
     let position = [x + i64::from(pulse[0]), y + i64::from(pulse[1])];
     sweep.arrive(position);
@@ -91,28 +79,45 @@ fn moved(before: &CentredArc, pulse: [i8; 2], jr: [u64; 2]) -> CentredArc {
 }
 
 impl Step {
-    /// Whether [`any_step_that_takes`] gives this step.
-    fn is_one_that_takes(&self) -> bool {
-        let (before, after) = (&self.before, &self.after);
-        let is_move = |axis: usize| {
-            let (pulse, jr) = (self.pulse[axis], after.remainders()[axis]);
-            if takes(before, axis) {
-                (-1..=1).contains(&pulse) && jr >> self.bits == 0
+    /// Whether an axis takes its sum; else its remainder stays.
+    fn takes(&self, axis: usize) -> bool {
+        let (sweep, at) = (self.before.sweep(), self.before.position());
+        !sweep.is_stepping_out(at) && !sweep.stands(at)[axis]
+    }
+
+    /// Whether pulse and remainder of each axis are what a sum can hold, or those of an axis that takes
+    /// none.
+    fn takes_sums(&self) -> bool {
+        let (sweep, at) = (self.before.sweep(), self.before.position());
+        let (jr, jr_after) = (self.before.remainders(), self.after.remainders());
+        let out = sweep.step_out(at).0;
+        let steps_out = sweep.is_stepping_out(at);
+        let takes_sum = |axis: usize| {
+            if self.takes(axis) {
+                jr_after[axis] >> self.bits == 0
             } else {
-                (pulse, jr) == without_sum(before, axis)
+                let pulse = if steps_out { out[axis] } else { 0 };
+                jr_after[axis] == jr[axis] && self.pulse[axis] == pulse
             }
         };
-        let expected = moved(before, self.pulse, after.remainders());
-        let (sweep, expected_sweep) = (after.sweep(), expected.sweep());
-        is_move(0)
-            && is_move(1)
-            && same(after.position(), expected.position())
-            && sweep.crossings_left() == expected_sweep.crossings_left()
-            && sweep.quadrant() == expected_sweep.quadrant()
-            && sweep.direction() == expected_sweep.direction()
-            && same(sweep.end(), expected_sweep.end())
-            && after.shift() == expected.shift()
-            && after.register() == expected.register()
+        takes_sum(0) && takes_sum(1)
+    }
+
+    /// Whether [`any_step_that_takes`] gives this step.
+    fn is_one_that_takes(&self) -> bool {
+        let [x, y] = self.pulse;
+        let taken = taken(&self.before, self.pulse, self.after.remainders());
+        let (sweep, expected) = (self.after.sweep(), taken.sweep());
+        (-1..=1).contains(&x)
+            && (-1..=1).contains(&y)
+            && self.takes_sums()
+            && same(self.after.position(), taken.position())
+            && sweep.crossings_left() == expected.crossings_left()
+            && sweep.quadrant() == expected.quadrant()
+            && sweep.direction() == expected.direction()
+            && same(sweep.end(), expected.end())
+            && self.after.shift() == taken.shift()
+            && self.after.register() == taken.register()
     }
 
     /// Where the arc is between the axes: x has its pulse.
@@ -134,11 +139,7 @@ impl Step {
             _ => 0b11,
         };
         let sum = any_sum(self.bits);
-        if takes(&self.before, axis) {
-            top << self.bits | self.after.remainders()[axis]
-        } else {
-            sum
-        }
+        if self.takes(axis) { top << self.bits | self.after.remainders()[axis] } else { sum }
     }
 
     /// The circuit in the three beats after the look.
@@ -165,7 +166,7 @@ fn related(
 
 /// Any content of the sum register.
 fn any_sum(bits: u32) -> u64 {
-    kani::any_where(|sum: &u64| *sum < 4 << bits)
+    kani::any::<u64>() & ((4 << bits) - 1)
 }
 
 /// The sum of x, and the look.
