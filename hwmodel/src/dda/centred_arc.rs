@@ -1,6 +1,8 @@
 //! The circuit of the centred staggered arc.
 
 use crate::probe::{Kind, Probe};
+#[cfg(feature = "proofs")]
+use crate::word::same;
 use crate::word::{mask, signed, wrap};
 use crate::{Circuit, Sweep};
 use onepulse_core::dda::{self, Radix, Register};
@@ -44,10 +46,14 @@ struct Registers {
 
 /// The beats of a cycle, a clock each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Beat {
+pub enum Beat {
+    /// The sum of x, and a look where the arc is.
     AddX,
+    /// What x takes of it.
     MoveX,
+    /// The sum of y.
     AddY,
+    /// What y takes of it.
     MoveY,
 }
 
@@ -87,9 +93,52 @@ impl CentredArc {
         Self { registers: Registers { beat: Beat::AddX, j, jr, sum: 0, sweep }, unit, bits }
     }
 
+    /// The circuit in this state, reachable or not, at the start of a beat.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub const fn in_state(
+        beat: Beat,
+        j: [i64; 2],
+        jr: [u64; 2],
+        sum: u64,
+        unit: u64,
+        sweep: Sweep,
+        bits: u32,
+    ) -> Self {
+        Self { registers: Registers { beat, j, jr, sum, sweep }, unit, bits }
+    }
+
+    /// Whether every register agrees with that of another circuit, but for a sum that nothing is
+    /// made of any more, and before a look for what it will see.
+    #[cfg(feature = "proofs")]
+    #[must_use]
+    pub fn agrees_with(&self, other: &Self) -> bool {
+        let (q, r) = (&self.registers, &other.registers);
+        let (takes_sum, sweeps_agree) = match q.beat {
+            Beat::AddX => (false, q.sweep.agrees_before_look(&r.sweep)),
+            Beat::MoveX => (self.takes_sum(0), q.sweep.agrees_with(&r.sweep)),
+            Beat::AddY => (false, q.sweep.agrees_with(&r.sweep)),
+            Beat::MoveY => (self.takes_sum(1), q.sweep.agrees_with(&r.sweep)),
+        };
+        q.beat == r.beat
+            && same(q.j, r.j)
+            && same(q.jr, r.jr)
+            && (!takes_sum || q.sum == r.sum)
+            && sweeps_agree
+            && self.unit == other.unit
+            && self.bits == other.bits
+    }
+
     /// The circuit after a reset.
     pub(crate) fn reset(bits: u32) -> Self {
         Self::loaded([0; 2], [0; 2], 0, Sweep::reset(bits), bits)
+    }
+
+    /// Whether this axis takes its sum, in the clock in which it moves.
+    #[inline(always)]
+    const fn takes_sum(&self, axis: usize) -> bool {
+        let sweep = &self.registers.sweep;
+        !sweep.is_stepping_out() && !sweep.stands()[axis]
     }
 
     /// Whether this axis is sent a pulse, if this is the clock in which it moves.
@@ -133,8 +182,9 @@ impl CentredArc {
     #[inline(always)]
     fn take(&mut self, axis: usize) {
         let (is_due, is_negative) = (self.is_due(axis), self.is_negative(axis));
+        let takes_sum = self.takes_sum(axis);
         let q = &mut self.registers;
-        if !q.sweep.is_stepping_out() && !q.sweep.stands()[axis] {
+        if takes_sum {
             q.jr[axis] = q.sum & mask(self.bits);
         }
         let unit = signed(self.unit as i64 * i64::from(is_due), is_negative);

@@ -5,6 +5,7 @@
 //! leave a pair behind; so the two go on together, for runs of any length.
 
 mod brm_line;
+mod centred_arc;
 mod dda_arc;
 mod dda_line;
 mod ppc_arc;
