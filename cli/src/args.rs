@@ -251,8 +251,8 @@ pub(crate) struct RunArguments {
     #[arg(long, value_name = "MM", help_heading = TWO_LEVELS, allow_negative_numbers = true)]
     pub(crate) tolerance: Option<String>,
     /// Acceleration before interpolation: two levels with the speeds of `onepulse profile`, planned
-    /// through the whole program. The sample periods run on through the blocks, each of which ends at a
-    /// time of its own
+    /// through the whole program within the limits under Motion. The sample periods run on through the
+    /// blocks, each of which ends at a time of its own
     #[arg(long, help_heading = TWO_LEVELS)]
     pub(crate) accelerate: bool,
     #[command(flatten)]

@@ -268,7 +268,7 @@ fn signed(bits: &str) -> i64 {
 }
 
 /// The value of a signal at a time.
-fn at<'a>(changes: &'a [(u64, String)], time: u64) -> &'a str {
+fn at(changes: &[(u64, String)], time: u64) -> &str {
     &changes[changes.partition_point(|(since, _)| *since <= time) - 1].1
 }
 

@@ -210,9 +210,14 @@ impl Outputs {
         let mut files = vec![self.pulses_file, self.picture.finish()?];
         files.extend(self.profile);
         if let Some(waves) = self.waves {
-            let Waves { tracer, file, list, traced_until, clocks_per_second, .. } = waves;
-            // A last curve that is no time to speak of takes a tick a clock.
-            let period = (TICKS_PER_SECOND / clocks_per_second).max(1.0);
+            let Waves { tracer, file, list, traced_until, pace, clocks_per_second, .. } = waves;
+            let period = match (pace, config.motion) {
+                // Of a whole sample period: the last part of one may be no time to speak of.
+                (Pace::Until { cycles, .. }, Some(MotionSettings { period, .. })) => {
+                    TICKS_PER_SECOND * period / cycles as f64
+                }
+                _ => TICKS_PER_SECOND / clocks_per_second,
+            };
             tracer.finish(traced_until.saturating_add(1)).map_err(|error| file.failure(&error))?;
             let place = |name| self.folder.path().join(name);
             files.push(write_whole(&place("waves.gtkw"), &gtkw("waves.vcd", &list, period))?);

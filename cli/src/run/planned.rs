@@ -80,7 +80,7 @@ impl Plan {
         Ok(Self { rows: rows.collect(), profiles, settings, tolerance_mm })
     }
 
-    /// Each block's part, of motions for which a speed in mm/s and a pulse in mm are commanded.
+    /// The part of each block; these are the motions that were planned.
     pub(super) fn blocks<'a>(
         &'a self,
         motions: &'a [Motion],
