@@ -63,11 +63,14 @@ pub(super) struct ServoReport {
     pub(super) largest_following_error_mm: PerAxis<f64>,
 }
 
+/// Sample periods that a plan may have: eleven hours of 8 ms. All of it is kept, to be plotted.
+const MOST_PERIODS: f64 = 5e6;
+
 impl Plan {
     /// Plans the motion of these blocks.
     ///
     /// # Errors
-    /// A block that no speed can be planned for, with its line.
+    /// A block that no speed can be planned for, with its line; a motion of too many sample periods.
     pub(super) fn new(
         motions: &[Motion],
         config: &Config,
@@ -77,6 +80,13 @@ impl Plan {
         let highest = |path: &Path| steady(f64::INFINITY, path.radius(), &settings, tolerance_mm).0;
         let rows = Rows::new(motions, &config.machine, &settings, highest)?;
         let profiles = rows.profiles().to_vec();
+        let seconds: f64 = profiles.iter().map(Profile::duration).sum();
+        if seconds > MOST_PERIODS * settings.period {
+            return Err(format!(
+                "the motion takes {seconds:.0} s, over {MOST_PERIODS} sample periods: --period can \
+                 make them longer"
+            ));
+        }
         Ok(Self { rows: rows.collect(), profiles, settings, tolerance_mm })
     }
 
