@@ -236,7 +236,8 @@ pub(crate) struct RunArguments {
     /// The machine: pulse equivalent, speeds, registers
     #[arg(long, value_name = "machine.toml")]
     pub(crate) config: Option<PathBuf>,
-    /// Where to write waves.vcd, waves.gtkw, waves.sucl, pulses.csv, path.svg and report.json
+    /// Where to write waves.vcd, waves.gtkw, waves.sucl, pulses.csv, path.svg and report.json, and with
+    /// --accelerate profile.svg
     #[arg(long, value_name = "DIR", default_value = "out")]
     pub(crate) out: PathBuf,
     /// Write no waves (the hardware model still runs and is compared)
@@ -264,6 +265,13 @@ pub(crate) struct RunArguments {
     /// The largest chord error of an arc: its feed is reduced to keep it
     #[arg(long, value_name = "MM", help_heading = TWO_LEVELS, allow_negative_numbers = true)]
     pub(crate) tolerance: Option<String>,
+    /// Acceleration before interpolation: two levels with the speeds of `onepulse profile`, planned
+    /// through the whole program within the limits under Motion. The sample periods run on through the
+    /// blocks, each of which ends at a time of its own
+    #[arg(long, help_heading = TWO_LEVELS)]
+    pub(crate) accelerate: bool,
+    #[command(flatten)]
+    pub(crate) motion: MotionOptions,
     #[command(flatten)]
     pub(crate) options: Options,
 }

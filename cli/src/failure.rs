@@ -2,6 +2,7 @@
 
 use ariadne::{Config, IndexType, Label, Report, ReportKind, Source};
 use onepulse_plan::Diagnostic;
+use onepulse_plan::gcode::ProgramError;
 use std::io::{self, IsTerminal};
 use std::path::Path;
 use std::process::ExitCode;
@@ -23,6 +24,16 @@ impl Failure {
     /// A file that cannot be read or written.
     pub(crate) fn file(path: &Path, error: &io::Error) -> Self {
         Self::Fault(format!("{}: {error}", path.display()))
+    }
+
+    /// A G-code program that cannot be read, or is wrong.
+    pub(crate) fn program(path: &Path, error: ProgramError) -> Self {
+        match error {
+            ProgramError::Input(error) => Self::file(path, &error),
+            ProgramError::Program(diagnostic) => {
+                Self::Program { file: path.display().to_string(), diagnostic }
+            }
+        }
     }
 
     /// Standard output that cannot be written.

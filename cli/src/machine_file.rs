@@ -32,6 +32,8 @@ pub(crate) struct File {
     pub(crate) period_ms: Option<f64>,
     pub(crate) sampling: Option<SamplingName>,
     pub(crate) tolerance_mm: Option<f64>,
+    /// Whether two levels take speeds that are planned through the whole program.
+    pub(crate) accelerate: Option<bool>,
     pub(crate) acceleration_mm_per_s2: Option<f64>,
     pub(crate) jerk_mm_per_s3: Option<f64>,
     pub(crate) corner_mm_per_s: Option<f64>,

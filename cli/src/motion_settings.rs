@@ -30,6 +30,21 @@ pub(crate) struct MotionOptions {
     servo_drive: Option<f64>,
 }
 
+impl MotionOptions {
+    /// The first option that is given.
+    pub(crate) fn given(&self) -> Option<&'static str> {
+        let options = [
+            (self.acceleration, "--acceleration"),
+            (self.jerk, "--jerk"),
+            (self.corner, "--corner"),
+            (self.centripetal, "--centripetal"),
+            (self.servo_gain, "--servo-gain"),
+            (self.servo_drive, "--servo-drive"),
+        ];
+        options.into_iter().find_map(|(value, option)| value.map(|_| option))
+    }
+}
+
 /// What they come to, with the defaults of a machine that says nothing else.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MotionSettings {

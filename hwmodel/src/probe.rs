@@ -12,6 +12,8 @@ pub enum Kind {
     Ramp(u32),
     /// A two's complement number of so many bits.
     Signed(u32),
+    /// One that a viewer shows as a curve: an error about zero.
+    SignedRamp(u32),
     /// A state, shown as a word: the value is the place in this list.
     Word(&'static [&'static str]),
 }
@@ -34,7 +36,10 @@ impl Kind {
     pub const fn bits(self) -> u32 {
         match self {
             Self::Bit | Self::Word(_) => 1,
-            Self::Unsigned(bits) | Self::Ramp(bits) | Self::Signed(bits) => bits,
+            Self::Unsigned(bits)
+            | Self::Ramp(bits)
+            | Self::Signed(bits)
+            | Self::SignedRamp(bits) => bits,
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::motion_settings::MotionSettings;
 use onepulse_plan::sampling::Pulses;
-use onepulse_plan::speed::{Block, LookAhead, Path, Sample, Samples, SpeedError};
+use onepulse_plan::speed::{Block, LookAhead, Path, Profile, Sample, Samples, SpeedError};
 use onepulse_plan::{Machine, Motion, servo};
 
 /// The motion at the end of a sample period, or of a block; millimetres and seconds.
@@ -23,6 +23,7 @@ pub(crate) struct Row {
     pub(crate) intervals: [Option<f64>; 2],
     /// Command less position of each axis, taken at the end of a sample period.
     pub(crate) following_errors: Option<[f64; 2]>,
+    pub(crate) is_block_end: bool,
 }
 
 /// The rows of a program, from its start on. Axes that follow go on until they
@@ -31,7 +32,8 @@ pub(crate) struct Row {
 pub(crate) struct Rows<'a> {
     motions: &'a [Motion],
     paths: Vec<Path>,
-    samples: Samples<LookAhead<std::vec::IntoIter<Block>>>,
+    profiles: Vec<Profile>,
+    samples: Samples<std::vec::IntoIter<Profile>>,
     /// Its pulse in millimetres.
     pulse: f64,
     period: f64,
@@ -43,27 +45,36 @@ pub(crate) struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
+    /// The rows of these motions. On no path the speed is over `highest`, in mm/s, besides the limits.
+    ///
     /// # Errors
     /// A block that no speed can be planned for, with its line.
     pub(crate) fn new(
         motions: &'a [Motion],
         machine: &Machine,
         settings: &MotionSettings,
+        highest: impl Fn(&Path) -> f64,
     ) -> Result<Self, String> {
         let MotionSettings { limits, period, servo } = *settings;
         let (mut blocks, mut paths) = (Vec::new(), Vec::new());
         for motion in motions {
             let at_line = |why: SpeedError| format!("line {}: {why}", motion.line);
-            blocks.push(Block::of(motion, machine, &limits).map_err(at_line)?);
-            paths.push(Path::of(motion, machine.pulse).map_err(at_line)?);
+            let path = Path::of(motion, machine.pulse).map_err(at_line)?;
+            let block = Block::of(motion, machine, &limits).map_err(at_line)?;
+            let steady = block.steady().min(highest(&path));
+            let [start, end] = path.directions();
+            blocks.push(Block::new(path.length(), steady, start, end).map_err(at_line)?);
+            paths.push(path);
         }
-        let samples = Samples::new(LookAhead::new(blocks, limits), period);
+        let profiles: Vec<_> = LookAhead::new(blocks, limits).collect();
+        let samples = Samples::new(profiles.clone(), period);
         let samples = samples.map_err(|why| why.to_string())?;
         let start = paths.first().map_or([0.0; 2], |path| path.point(0.0));
         let pulse = machine.pulse.millimetres();
         Ok(Self {
             motions,
             paths,
+            profiles,
             samples,
             pulse,
             period,
@@ -74,9 +85,14 @@ impl<'a> Rows<'a> {
         })
     }
 
+    /// The speeds planned over each block.
+    pub(crate) fn profiles(&self) -> &[Profile] {
+        &self.profiles
+    }
+
     /// The row of a sample.
     fn commanded(&mut self, sample: &Sample) -> Row {
-        let Sample { time, speed, acceleration, block, .. } = *sample;
+        let Sample { time, speed, acceleration, block, is_block_end, .. } = *sample;
         let point = self.paths[block].point(sample.way);
         let passed = time - self.last.time;
         let intervals = self.pulses.to(point).map(|count| match count.unsigned_abs() {
@@ -89,7 +105,17 @@ impl<'a> Rows<'a> {
         let axes = self.axes.as_mut().filter(|_| sample.is_on_grid);
         let following_errors = axes.map(|axes| axes.command(point));
         let line = self.motions[block].line;
-        Row { time, line, point, speed, acceleration, jerk, intervals, following_errors }
+        Row {
+            time,
+            line,
+            point,
+            speed,
+            acceleration,
+            jerk,
+            intervals,
+            following_errors,
+            is_block_end,
+        }
     }
 
     /// After the last: the axes come to the end point, if they are not there yet.
@@ -122,9 +148,17 @@ impl Iterator for Rows<'_> {
 impl Row {
     /// At rest.
     fn at(point: [f64; 2]) -> Self {
-        let (time, line, speed, acceleration, jerk) = (0.0, 0, 0.0, 0.0, 0.0);
-        let (intervals, following_errors) = ([None; 2], None);
-        Self { time, line, point, speed, acceleration, jerk, intervals, following_errors }
+        Self {
+            time: 0.0,
+            line: 0,
+            point,
+            speed: 0.0,
+            acceleration: 0.0,
+            jerk: 0.0,
+            intervals: [None; 2],
+            following_errors: None,
+            is_block_end: false,
+        }
     }
 }
 

@@ -7,12 +7,14 @@ use crate::args::ProfileArguments;
 use crate::failure::Failure;
 use crate::machine_file::MachineFile;
 use crate::motion_settings::MotionSettings;
-use chain::{Row, Rows};
 use clap::ValueEnum;
 use onepulse_plan::Motion;
-use onepulse_plan::gcode::{Program, ProgramError};
+use onepulse_plan::gcode::Program;
 use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Write};
+
+pub(crate) use chain::{Row, Rows};
+pub(crate) use plot::svg;
 
 /// How a profile is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -33,16 +35,13 @@ pub(crate) fn profile(arguments: &ProfileArguments) -> Result<(), Failure> {
     let input = input.map_err(|error| Failure::file(&arguments.program, &error))?;
     // All of it first: a program that is wrong somewhere has no profile.
     let motions: Result<Vec<Motion>, _> = Program::new(BufReader::new(input), &machine).collect();
-    let motions = motions.map_err(|error| match error {
-        ProgramError::Input(error) => Failure::file(&arguments.program, &error),
-        ProgramError::Program(diagnostic) => Failure::Program { file: name.clone(), diagnostic },
-    })?;
-    let rows = Rows::new(&motions, &machine, &settings);
+    let motions = motions.map_err(|error| Failure::program(&arguments.program, error))?;
+    let rows = Rows::new(&motions, &machine, &settings, |_| f64::INFINITY);
     let rows = rows.map_err(|why| Failure::Fault(format!("{name}: {why}")))?;
     match arguments.format {
         Format::Csv => csv(rows, settings.servo.is_some()),
         Format::Svg => {
-            let text = plot::svg(&rows.collect::<Vec<_>>())?;
+            let text = svg(&rows.collect::<Vec<_>>())?;
             io::stdout().lock().write_all(text.as_bytes())
         }
     }

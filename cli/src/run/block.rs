@@ -1,7 +1,7 @@
 //! One block: the software machine and the circuit side by side, cycle by cycle.
 
 use super::deviation::Deviation;
-use super::outputs::Outputs;
+use super::outputs::{Outputs, Pace};
 use crate::failure::Failure;
 use crate::machine::{Refusal, Visitor};
 use onepulse_core::Pulse;
@@ -15,7 +15,10 @@ pub(super) struct BlockRun<'a> {
     origin: [i64; 2],
     /// How far the machine stands from where the program believes it.
     short: [i64; 2],
-    cycles_per_second: f64,
+    /// When it began, where speeds are planned.
+    since: f64,
+    /// That of the last curve begun.
+    pace: Option<Pace>,
     outputs: &'a mut Outputs,
     /// Where the path stands, from the origin.
     position: [i64; 2],
@@ -42,24 +45,22 @@ pub(super) struct BlockResult {
 }
 
 impl<'a> BlockRun<'a> {
-    /// Begins a block of which no pulse is made yet.
+    /// Begins a block of which no pulse is made yet, where speeds are planned at the time `since`.
     pub(super) fn begin(
         motion: &'a Motion,
         short: [i64; 2],
         deviation: Deviation,
-        cycles_per_second: f64,
+        since: f64,
         outputs: &'a mut Outputs,
     ) -> Result<Self, Failure> {
-        outputs.begin(motion, cycles_per_second)?;
-        let origin = match motion.curve {
-            plan::Curve::Line => motion.from.map(i64::from),
-            plan::Curve::Arc { centre, .. } => centre,
-        };
+        outputs.begin(motion)?;
+        let origin = origin(motion);
         Ok(Self {
             motion,
             origin,
             short,
-            cycles_per_second,
+            since,
+            pace: None,
             outputs,
             position: [0, 1].map(|axis| i64::from(motion.from[axis]) - origin[axis]),
             cycles: 0,
@@ -71,8 +72,9 @@ impl<'a> BlockRun<'a> {
     }
 
     /// The block's next curve: all of it, or the line of a sample, which has a deviation of its own.
-    pub(super) fn curve(&mut self, from_line: Option<Deviation>) -> CurveRun<'_, 'a> {
-        CurveRun { start: self.position, block: self, from_line }
+    pub(super) fn curve(&mut self, pace: Pace, from_line: Option<Deviation>) -> CurveRun<'_, 'a> {
+        self.pace = Some(pace);
+        CurveRun { pace, start: self.position, block: self, from_line }
     }
 
     /// Whether hardware model and software have sent the same pulses so far.
@@ -86,7 +88,11 @@ impl<'a> BlockRun<'a> {
         self.outputs.end()?;
         let residual =
             [0, 1].map(|axis| i64::from(motion.to[axis]) - origin[axis] - position[axis]);
-        let seconds = cycles as f64 / self.cycles_per_second;
+        let seconds = match self.pace {
+            None => 0.0,
+            Some(Pace::Even { cycles_per_second }) => cycles as f64 / cycles_per_second,
+            Some(Pace::Until { record, .. }) => record.time - self.since,
+        };
         let deviation = self.deviation.in_pulses();
         Ok(BlockResult { cycles, pulses, deviation, fine, residual, seconds, disagreement })
     }
@@ -94,6 +100,7 @@ impl<'a> BlockRun<'a> {
 
 /// A curve of a block about to be run.
 pub(super) struct CurveRun<'r, 'a> {
+    pace: Pace,
     block: &'r mut BlockRun<'a>,
     start: [i64; 2],
     from_line: Option<Deviation>,
@@ -127,9 +134,9 @@ impl CurveRun<'_, '_> {
         S: Iterator<Item = Pulse<N>>,
         C: Circuit<N>,
     {
-        let Self { block, start, mut from_line } = self;
+        let Self { pace, block, start, mut from_line } = self;
         let before = block.cycles;
-        block.outputs.begin_curve::<C, N>();
+        block.outputs.begin_curve::<C, N>(pace);
         loop {
             let due = match cycle(&mut software, &mut circuit, |c| block.outputs.clock(c)) {
                 Cycle::Sent(due) => due,
@@ -148,8 +155,7 @@ impl CurveRun<'_, '_> {
             }
         }
         block.fine = from_line.map_or(0.0, Deviation::in_pulses).max(block.fine);
-        let seconds = (block.cycles - before) as f64 / block.cycles_per_second;
-        block.outputs.end_curve(seconds, &circuit)
+        block.outputs.end_curve(block.cycles - before, &circuit)
     }
 }
 
@@ -164,6 +170,14 @@ impl BlockRun<'_> {
         let absolute =
             [0, 1].map(|axis| self.origin[axis] + self.position[axis] - self.short[axis]);
         self.outputs.pulse(self.cycles, pulse, absolute)
+    }
+}
+
+/// What the coordinates of a motion's interpolator count from.
+pub(super) fn origin(motion: &Motion) -> [i64; 2] {
+    match motion.curve {
+        plan::Curve::Line => motion.from.map(i64::from),
+        plan::Curve::Arc { centre, .. } => centre,
     }
 }
 

@@ -5,11 +5,16 @@
 //! of 2ⁿ accumulations in the same T, so that its pulses spread over the period: f_g = 2ⁿ/T. The
 //! last sample of a block is what is left to the end point: a shorter way, which takes a whole
 //! period too.
+//!
+//! Or the points are those of a planned motion, on the curve itself: then a block's end has a time of its
+//! own, and parts the period; each part is a microsegment of 2ⁿ accumulations in its own time.
 
+use super::planned::{PlannedBlock, Speeds};
 use super::speed::Speed;
 use super::two_level::TwoLevel;
 use crate::curve::Curve;
 use crate::machine::Refusal;
+use crate::profile::Row;
 use onepulse_core::Error;
 use onepulse_core::dda::{Radix, Register};
 use onepulse_plan::sampling::{Arc, Line, Pulses, chord_error};
@@ -17,40 +22,59 @@ use serde::Serialize;
 
 /// A block, sampled.
 #[derive(Clone, Debug)]
-pub(super) struct Coarse {
-    samples: Samples,
+pub(super) struct Coarse<'a> {
+    samples: Samples<'a>,
+    /// Of planned speeds, the record of each sample.
+    records: &'a [Row],
     pub(super) report: SamplingReport,
+}
+
+/// The line of a sample.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Microsegment {
+    /// Its pulses.
+    pub(super) to: [i32; 2],
+    /// The motion at its end, where speeds are planned.
+    pub(super) record: Option<Row>,
 }
 
 /// The samples of a block, relative to its origin. They count pulses, not millimetres: so start and
 /// end are whole numbers, and whether an arc is a full turn is seen as exactly as in the pulse
 /// methods.
-#[derive(Clone, Copy, Debug)]
-struct Samples {
+#[derive(Clone, Debug)]
+struct Samples<'a> {
     start: [f64; 2],
-    points: Points,
-    /// The way of a period.
+    points: Points<'a>,
+    /// The way of a period; the longest, where speeds are planned.
     step: f64,
     /// An arc's radius.
     radius: Option<f64>,
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Points {
+#[derive(Clone, Debug)]
+enum Points<'a> {
     Line(Line),
     Arc(Arc),
+    Planned { records: std::slice::Iter<'a, Row>, origin: [i64; 2], pulse: f64 },
 }
 
-impl Iterator for Points {
+impl Iterator for Points<'_> {
     type Item = [f64; 2];
 
     fn next(&mut self) -> Option<[f64; 2]> {
         match self {
             Self::Line(line) => line.next(),
             Self::Arc(arc) => arc.next(),
+            Self::Planned { records, origin, pulse } => {
+                let point = records.next()?.point;
+                Some([0, 1].map(|axis| point[axis] / *pulse - origin[axis] as f64))
+            }
         }
     }
 }
+
+/// How points of a planned motion are found.
+pub(super) const PLANNED: &str = "planned";
 
 /// What the report says of the samples of a block; errors in pulses.
 #[derive(Clone, Debug, Serialize)]
@@ -66,6 +90,9 @@ pub(super) struct SamplingReport {
     pub(super) feed_mm_per_min: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) feed_reduced_for: Option<Reduced>,
+    /// Where they are planned. Step and feed are then those of the steady speed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) speeds_mm_per_s: Option<Speeds>,
     /// Largest of the chords: what one's nearest point to the centre lacks to its nearer end.
     pub(super) chord_error: f64,
     /// Largest |radius − R| of the samples; 0 for lines.
@@ -84,6 +111,8 @@ pub(super) enum Reduced {
     Radius,
     /// No chord error may exceed the tolerance.
     Tolerance,
+    /// v²/R is the largest centripetal acceleration.
+    Centripetal,
 }
 
 impl SamplingReport {
@@ -100,7 +129,7 @@ impl SamplingReport {
     }
 }
 
-impl Coarse {
+impl<'a> Coarse<'a> {
     /// Samples a block for fine registers of at most `widest` bits.
     pub(super) fn new(
         curve: &Curve,
@@ -111,13 +140,13 @@ impl Coarse {
         let asked = speed.pulses_per_second() * two_level.period_ms / 1000.0;
         let tolerance = two_level.tolerance_mm.map(|mm| mm / speed.pulse.millimetres());
         let samples = Samples::of(curve, asked, two_level, tolerance)?;
-        let Samples { step, radius, .. } = samples;
+        let (step, radius) = (samples.step, samples.radius);
         let feed_reduced_for = match radius {
             _ if step == asked => None,
             Some(radius) if step == radius / 4.0 => Some(Reduced::Radius),
             _ => Some(Reduced::Tolerance),
         };
-        let mut report = SamplingReport {
+        let report = SamplingReport {
             method: radius.map_or("line", |_| two_level.sampling.name()),
             period_ms: two_level.period_ms,
             samples: 0,
@@ -125,11 +154,61 @@ impl Coarse {
             step_mm: step * speed.pulse.millimetres(),
             feed_mm_per_min: speed.millimetres_per_minute() * (step / asked),
             feed_reduced_for,
+            speeds_mm_per_s: None,
             chord_error: 0.0,
             radius_error: 0.0,
             rounding: 0.0,
             fine: 0.0,
         };
+        Self::surveyed(samples, &[], report, two_level, widest)
+    }
+
+    /// The samples of a block's planned motion, likewise. Its points count from `origin`.
+    pub(super) fn planned(
+        curve: &Curve,
+        origin: [i64; 2],
+        speed: Speed,
+        planned: &PlannedBlock<'a>,
+        two_level: &TwoLevel,
+        widest: u32,
+    ) -> Result<Self, Refusal> {
+        let PlannedBlock { records, speeds, reduced, .. } = *planned;
+        let pulse = speed.pulse.millimetres();
+        let (start, radius) = match *curve {
+            Curve::Arc { from, .. } => {
+                let start = from.map(f64::from);
+                (start, Some(start[0].hypot(start[1])))
+            }
+            _ => ([0.0; 2], None),
+        };
+        let step_mm = speeds.steady * two_level.period_ms / 1000.0;
+        let report = SamplingReport {
+            method: PLANNED,
+            period_ms: two_level.period_ms,
+            samples: 0,
+            bits: 0,
+            step_mm,
+            feed_mm_per_min: speeds.steady * 60.0,
+            feed_reduced_for: reduced,
+            speeds_mm_per_s: Some(speeds),
+            chord_error: 0.0,
+            radius_error: 0.0,
+            rounding: 0.0,
+            fine: 0.0,
+        };
+        let points = Points::Planned { records: records.iter(), origin, pulse };
+        let samples = Samples { start, points, step: step_mm / pulse, radius };
+        Self::surveyed(samples, records, report, two_level, widest)
+    }
+
+    /// Fills in the report, and finds the width of the registers.
+    fn surveyed(
+        samples: Samples<'a>,
+        records: &'a [Row],
+        mut report: SamplingReport,
+        two_level: &TwoLevel,
+        widest: u32,
+    ) -> Result<Self, Refusal> {
         let largest = samples.survey(&mut report);
         let largest = u32::try_from(largest).unwrap_or(u32::MAX);
         let needed = Register::holding(Radix::Binary, largest).digits();
@@ -137,24 +216,33 @@ impl Coarse {
             return Err(Error::RegisterTooNarrow { digits: widest, needed }.into());
         }
         report.bits = two_level.bits.unwrap_or(needed);
-        Ok(Self { samples, report })
+        Ok(Self { samples, records, report })
     }
 
-    /// The frequency f_g of the fine level.
+    /// The cycles of a microsegment.
+    pub(super) fn cycles(&self) -> u64 {
+        1 << self.report.bits
+    }
+
+    /// The frequency f_g of the fine level, where every sample takes a period.
     pub(super) fn cycles_per_second(&self) -> f64 {
         2_f64.powi(self.report.bits as i32) / (self.report.period_ms / 1000.0)
     }
 
-    /// The pulses of each sample.
-    pub(super) fn microsegments(&self) -> impl Iterator<Item = [i32; 2]> + use<> {
-        let Samples { start, points, .. } = self.samples;
+    /// The line of each sample.
+    pub(super) fn microsegments(&self) -> impl Iterator<Item = Microsegment> + use<'a> {
+        let Samples { start, points, .. } = self.samples.clone();
         let mut pulses = Pulses::new(1.0, start);
-        // Any two points of a program are an i32 apart.
-        points.map(move |point| pulses.to(point).map(|c| c as i32))
+        let records = self.records;
+        points.enumerate().map(move |(k, point)| {
+            // Any two points of a program are an i32 apart.
+            let to = pulses.to(point).map(|c| c as i32);
+            Microsegment { to, record: records.get(k).copied() }
+        })
     }
 }
 
-impl Samples {
+impl Samples<'_> {
     fn of(
         curve: &Curve,
         asked: f64,
@@ -188,7 +276,7 @@ impl Samples {
     fn survey(&self, report: &mut SamplingReport) -> u64 {
         let mut pulses = Pulses::new(1.0, self.start);
         let (mut last, mut largest) = (self.start, 0);
-        for point in self.points {
+        for point in self.points.clone() {
             report.samples += 1;
             let [x, y] = pulses.to(point).map(i64::unsigned_abs);
             largest = largest.max(x).max(y);

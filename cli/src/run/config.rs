@@ -6,6 +6,7 @@ use crate::args::{Options, RunArguments};
 use crate::choice::{MethodName, PresetName};
 use crate::failure::Failure;
 use crate::machine_file::MachineFile;
+use crate::motion_settings::MotionSettings;
 use onepulse_plan::{Machine, Motion, Rate};
 
 /// A machine.
@@ -17,6 +18,8 @@ pub(super) struct Config {
     pub(super) options: Options,
     /// Where blocks are sampled first.
     pub(super) two_level: Option<TwoLevel>,
+    /// What the speeds are planned by, where they are.
+    pub(super) motion: Option<MotionSettings>,
 }
 
 /// Wide enough for ±8 million pulses with the headroom bit that circles need.
@@ -28,15 +31,23 @@ const BRM_BITS: u32 = 16;
 impl Config {
     /// The machine of a command line.
     pub(super) fn load(arguments: &RunArguments) -> Result<Self, Failure> {
-        let file = MachineFile::read(arguments.config.as_deref())?;
-        let machine = file.machine(arguments.pulse_mm.as_deref())?;
-        let in_file = |why: String| file.fault(why);
-        let file = &file.content;
+        let machine_file = MachineFile::read(arguments.config.as_deref())?;
+        let machine = machine_file.machine(arguments.pulse_mm.as_deref())?;
+        let in_file = |why: String| machine_file.fault(why);
+        let file = &machine_file.content;
         let given = &arguments.options;
         if given.radix.as_deref() == Some("10") {
             return Err(Failure::Usage("the circuits are binary: leave --radix 10 out".into()));
         }
         let two_level = TwoLevel::load(arguments, file, in_file)?;
+        let motion = if two_level.is_some_and(|levels| levels.accelerate) {
+            let period = arguments.period.as_deref();
+            Some(MotionSettings::load(&arguments.motion, period, &machine_file)?)
+        } else if let Some(option) = arguments.motion.given() {
+            return Err(Failure::Usage(format!("{option} belongs to --accelerate")));
+        } else {
+            None
+        };
         let method = match two_level {
             Some(_) => MethodName::Dda,
             None => given.method.or(file.method).unwrap_or(MethodName::Ppc),
@@ -67,7 +78,7 @@ impl Config {
                 None => in_file(format!("bits = {bits}: {why}")),
             });
         }
-        Ok(Self { machine, bits, options, two_level })
+        Ok(Self { machine, bits, options, two_level, motion })
     }
 
     /// The speed that a motion is to have.

@@ -6,6 +6,7 @@ mod config;
 mod deviation;
 mod outputs;
 mod picture;
+mod planned;
 mod report;
 mod speed;
 mod two_level;
@@ -16,13 +17,14 @@ use crate::curve::Curve;
 use crate::failure::Failure;
 use crate::machine::{Refusal, SOFTWARE_ONLY, with_machines};
 use block::BlockRun;
-use coarse::Coarse;
+use coarse::{Coarse, Microsegment};
 use config::Config;
 use deviation::Deviation;
 use indicatif::{ProgressBar, ProgressStyle};
-use onepulse_plan::gcode::{Program, ProgramError};
+use onepulse_plan::gcode::Program;
 use onepulse_plan::{self as plan, Diagnostic, Motion};
-use outputs::Outputs;
+use outputs::{Outputs, Pace};
+use planned::{Plan, PlannedBlock};
 use report::{BlockReport, Summary};
 use std::fs::File;
 use std::io::BufReader;
@@ -39,47 +41,112 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             _ => SOFTWARE_ONLY.usage(),
         });
     }
-    let name = arguments.program.display().to_string();
     let open = |error| Failure::file(&arguments.program, &error);
     let input = File::open(&arguments.program).map_err(open)?;
     let length = input.metadata().map_err(open)?.len();
     let bar = progress(length);
     let mut program = Program::new(BufReader::new(bar.wrap_read(input)), &config.machine);
+    let wrong = |error| Failure::program(&arguments.program, error);
+    let name = arguments.program.display().to_string();
+    let begin = || -> Result<_, Failure> {
+        let outputs = Outputs::create(arguments, &config, &method)?;
+        let (summary, short) = (Summary::default(), [0; 2]);
+        Ok(Run { config: &config, method: &method, name: &name, outputs, summary, short })
+    };
 
-    let mut outputs = Outputs::create(arguments, &config, &method)?;
-    let mut summary = Summary::default();
-    // What earlier blocks left short of their end points shifts all later positions.
-    let mut short = [0; 2];
-    while let Some(motion) = program.next() {
-        let motion = motion.map_err(|error| match error {
-            ProgramError::Input(error) => Failure::file(&arguments.program, &error),
-            ProgramError::Program(diagnostic) => {
-                Failure::Program { file: name.clone(), diagnostic }
+    let run = match config.motion {
+        None => {
+            let mut run = begin()?;
+            while let Some(motion) = program.next() {
+                run.block(&motion.map_err(wrong)?, program.text(), None)?;
             }
-        })?;
-        let (curve, deviation) = curve(&motion);
-        let speed = config.speed(&motion);
+            run
+        }
+        // All of the program first: what comes later bounds the speeds before.
+        Some(settings) => {
+            let (mut motions, mut texts) = (Vec::new(), Vec::new());
+            while let Some(motion) = program.next() {
+                motions.push(motion.map_err(wrong)?);
+                texts.push(program.text().to_owned());
+            }
+            let plan = Plan::new(&motions, &config, settings);
+            let plan = plan.map_err(|why| Failure::Fault(format!("{name}: {why}")))?;
+            let mut run = begin()?;
+            run.outputs.plot(&plan.rows)?;
+            run.summary.motion = Some(plan.report());
+            for ((motion, text), planned) in
+                motions.iter().zip(&texts).zip(plan.blocks(&motions, &config))
+            {
+                run.block(motion, text, Some(&planned))?;
+            }
+            run
+        }
+    };
+    bar.finish_and_clear();
+    let Run { outputs, summary, .. } = run;
+    outputs.finish(&summary, &config)?;
+    summary.print(&name, &arguments.out, &config)?;
+    if summary.agrees {
+        Ok(())
+    } else {
+        Err(Failure::Fault("the hardware model and the software disagree: see report.json".into()))
+    }
+}
+
+/// A run under way.
+struct Run<'a> {
+    config: &'a Config,
+    method: &'a Method,
+    /// The program's.
+    name: &'a str,
+    outputs: Outputs,
+    summary: Summary,
+    /// What earlier blocks left short of their end points shifts all later positions.
+    short: [i64; 2],
+}
+
+impl Run<'_> {
+    /// Makes a block that stands in this text.
+    fn block(
+        &mut self,
+        motion: &Motion,
+        text: &str,
+        planned: Option<&PlannedBlock<'_>>,
+    ) -> Result<(), Failure> {
+        let Self { config, method, .. } = *self;
+        let (curve, deviation) = curve(motion);
+        let speed = config.speed(motion);
+        let file = self.name;
         let refused = |why: Refusal| {
-            let diagnostic = refused_block(&motion, program.text(), &why);
-            Failure::Program { file: name.clone(), diagnostic: Box::new(diagnostic) }
+            let diagnostic = Box::new(refused_block(motion, text, &why));
+            Failure::Program { file: file.to_owned(), diagnostic }
         };
-        let coarse =
-            config.two_level.map(|levels| Coarse::new(&curve, speed, &levels, config.bits));
+        let coarse = config.two_level.map(|levels| match planned {
+            None => Coarse::new(&curve, speed, &levels, config.bits),
+            Some(planned) => {
+                let origin = block::origin(motion);
+                Coarse::planned(&curve, origin, speed, planned, &levels, config.bits)
+            }
+        });
         let coarse = coarse.transpose().map_err(refused)?;
-        let cycles_per_second = match &coarse {
-            None => speed.cycles_per_second(&curve, &method, config.bits),
-            Some(coarse) => coarse.cycles_per_second(),
-        };
-        let mut block =
-            BlockRun::begin(&motion, short, deviation, cycles_per_second, &mut outputs)?;
+        let since = planned.map_or(0.0, |planned| planned.since);
+        let mut block = BlockRun::begin(motion, self.short, deviation, since, &mut self.outputs)?;
         match &coarse {
-            None => with_machines(&curve, &method, Some(config.bits), block.curve(None))
-                .map_err(refused)??,
+            None => {
+                let cycles_per_second = speed.cycles_per_second(&curve, method, config.bits);
+                let run = block.curve(Pace::Even { cycles_per_second }, None);
+                with_machines(&curve, method, Some(config.bits), run).map_err(refused)??;
+            }
             Some(coarse) => {
-                for to in coarse.microsegments() {
+                let (cycles, cycles_per_second) = (coarse.cycles(), coarse.cycles_per_second());
+                for Microsegment { to, record } in coarse.microsegments() {
+                    let pace = match record {
+                        None => Pace::Even { cycles_per_second },
+                        Some(record) => Pace::Until { record, cycles },
+                    };
                     let line = Curve::Line { to: to.to_vec() };
-                    let run = block.curve(Some(Deviation::from_line(to)));
-                    with_machines(&line, &method, Some(coarse.report.bits), run)
+                    let run = block.curve(pace, Some(Deviation::from_line(to)));
+                    with_machines(&line, method, Some(coarse.report.bits), run)
                         .map_err(refused)??;
                     if !block.agrees() {
                         break;
@@ -88,18 +155,11 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             }
         }
         let result = block.end()?;
-        short = [0, 1].map(|axis| short[axis] + result.residual[axis]);
-        let report = BlockReport::new(&motion, &method, speed, &result, coarse);
-        summary.add(&report, [0, 1].map(|axis| i64::from(motion.to[axis]) - short[axis]));
-        outputs.report.block(&report)?;
-    }
-    bar.finish_and_clear();
-    outputs.finish(&summary, &config)?;
-    summary.print(&name, &arguments.out, &config)?;
-    if summary.agrees {
-        Ok(())
-    } else {
-        Err(Failure::Fault("the hardware model and the software disagree: see report.json".into()))
+        self.short = [0, 1].map(|axis| self.short[axis] + result.residual[axis]);
+        let report = BlockReport::new(motion, method, speed, &result, coarse);
+        let position = [0, 1].map(|axis| i64::from(motion.to[axis]) - self.short[axis]);
+        self.summary.add(&report, position);
+        self.outputs.report.block(&report)
     }
 }
 

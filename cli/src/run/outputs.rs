@@ -6,7 +6,9 @@ use super::report::{Report, Summary};
 use crate::args::RunArguments;
 use crate::choice::{Method, UpdateName};
 use crate::failure::Failure;
+use crate::motion_settings::MotionSettings;
 use crate::output::{OutputFile, OutputFolder, write_whole};
+use crate::profile::{Row, svg};
 use crate::pulses::write_row;
 use onepulse_core::{Direction, Error, Pulse};
 use onepulse_hwmodel::trace::{BackgroundWriter, Bench, Kind, SignalList, Tracer, Vcd, gtkw, sucl};
@@ -25,7 +27,18 @@ pub(super) struct Outputs {
     waves: Option<Waves>,
     pub(super) report: Report,
     line: u32,
+    /// The plot of a planned motion.
+    profile: Option<OutputFile>,
     folder: OutputFolder,
+}
+
+/// When the cycles of a curve come.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Pace {
+    /// So many a second.
+    Even { cycles_per_second: f64 },
+    /// So many, evenly, from the record before to the time of this one.
+    Until { record: Row, cycles: u64 },
 }
 
 /// `waves.vcd`: the circuits of the method, one scope each, on one time axis.
@@ -39,6 +52,7 @@ struct Waves {
     program_line: u32,
     /// The sample clock of two levels: 1 in the first clock of a sample.
     sample: Option<usize>,
+    motion: Option<MotionSignals>,
     /// The end of what was traced.
     traced_until: u64,
     /// The first signal of each circuit, by its name.
@@ -50,10 +64,23 @@ struct Waves {
     start: u64,
     clocks: u64,
     clocks_per_second: f64,
-    cycles_per_second: f64,
+    pace: Pace,
     /// The first signal of the circuit that runs.
     first: usize,
 }
+
+/// The planned motion at the last record.
+#[derive(Clone, Copy, Debug)]
+struct MotionSignals {
+    /// The commanded speed in micrometres a second.
+    speed: (usize, u64),
+    /// The following error of each axis in nanometres, if there are position loops.
+    errors: Option<[(usize, i64); 2]>,
+}
+
+/// Up to 4 km/s and 500 m. What is more stays there.
+const SPEED_BITS: u32 = 32;
+const ERROR_BITS: u32 = 40;
 
 /// The time axis of a run counts picoseconds.
 const EXPONENT: i8 = -12;
@@ -82,24 +109,39 @@ impl Outputs {
         };
         let program = arguments.program.display().to_string();
         let report = Report::begin(folder.create("report.json")?, &program, config, method)?;
-        Ok(Self { pulses, pulses_file, picture, waves, report, line: 0, folder })
+        let profile = None;
+        Ok(Self { pulses, pulses_file, picture, waves, report, line: 0, profile, folder })
+    }
+
+    /// Plots a planned motion.
+    pub(super) fn plot(&mut self, rows: &[Row]) -> Result<(), Failure> {
+        self.profile = Some(write_whole(&self.folder.path().join("profile.svg"), &svg(rows)?)?);
+        Ok(())
     }
 
     /// Begins a block.
-    pub(super) fn begin(&mut self, motion: &Motion, cycles_per_second: f64) -> Result<(), Failure> {
+    pub(super) fn begin(&mut self, motion: &Motion) -> Result<(), Failure> {
         self.line = motion.line;
         if let Some(waves) = &mut self.waves {
             waves.program_line = motion.line;
-            waves.cycles_per_second = cycles_per_second;
         }
         self.picture.begin_block(motion)
     }
 
     /// Begins a curve of the block, which circuit C makes.
-    pub(super) fn begin_curve<C: Circuit<N>, const N: usize>(&mut self) {
+    pub(super) fn begin_curve<C: Circuit<N>, const N: usize>(&mut self, pace: Pace) {
         if let Some(waves) = &mut self.waves {
             waves.clocks = 0;
-            waves.clocks_per_second = waves.cycles_per_second * C::CLOCKS_PER_CYCLE as f64;
+            waves.pace = pace;
+            let cycles_per_second = match pace {
+                Pace::Even { cycles_per_second } => cycles_per_second,
+                // From where the wave is: one that had to be late makes up for it.
+                Pace::Until { record, cycles } => {
+                    let ticks = ticks(record.time).saturating_sub(waves.start);
+                    cycles as f64 * (TICKS_PER_SECOND / ticks as f64)
+                }
+            };
+            waves.clocks_per_second = cycles_per_second * C::CLOCKS_PER_CYCLE as f64;
             let known = waves.circuits.iter().find(|(name, _)| *name == C::NAME);
             waves.first = known.map_or(0, |(_, first)| *first);
         }
@@ -128,19 +170,29 @@ impl Outputs {
         self.picture.pulse(pulse)
     }
 
-    /// Ends the curve.
+    /// Ends the curve, which took so many cycles.
     pub(super) fn end_curve<C: Circuit<N>, const N: usize>(
         &mut self,
-        seconds: f64,
+        cycles: u64,
         circuit: &C,
     ) -> Result<(), Failure> {
         if let Some(waves) = &mut self.waves {
-            let end = waves.start.saturating_add((seconds * TICKS_PER_SECOND) as u64);
+            let end = match waves.pace {
+                Pace::Even { cycles_per_second } => {
+                    let seconds = cycles as f64 / cycles_per_second;
+                    waves.start.saturating_add((seconds * TICKS_PER_SECOND) as u64)
+                }
+                Pace::Until { record, .. } => {
+                    waves.reach(&record);
+                    ticks(record.time)
+                }
+            };
             waves.start = end.max(waves.edge(2 * waves.clocks));
             let (first, start) = (waves.first, waves.start);
             if waves.window.contains(&waves.run_clocks) {
                 waves.traced_until = start;
                 waves.bench.sample(&mut waves.tracer, first, circuit, start);
+                waves.trace_motion();
             }
             waves.tracer.check().map_err(|error| waves.file.failure(&error))?;
         }
@@ -156,9 +208,16 @@ impl Outputs {
     pub(super) fn finish(mut self, summary: &Summary, config: &Config) -> Result<(), Failure> {
         self.pulses.flush().map_err(|error| self.pulses_file.failure(&error))?;
         let mut files = vec![self.pulses_file, self.picture.finish()?];
+        files.extend(self.profile);
         if let Some(waves) = self.waves {
-            let Waves { tracer, file, list, traced_until, clocks_per_second, .. } = waves;
-            let period = TICKS_PER_SECOND / clocks_per_second;
+            let Waves { tracer, file, list, traced_until, pace, clocks_per_second, .. } = waves;
+            let period = match (pace, config.motion) {
+                // Of a whole sample period: the last part of one may be no time to speak of.
+                (Pace::Until { cycles, .. }, Some(MotionSettings { period, .. })) => {
+                    TICKS_PER_SECOND * period / cycles as f64
+                }
+                _ => TICKS_PER_SECOND / clocks_per_second,
+            };
             tracer.finish(traced_until.saturating_add(1)).map_err(|error| file.failure(&error))?;
             let place = |name| self.folder.path().join(name);
             files.push(write_whole(&place("waves.gtkw"), &gtkw("waves.vcd", &list, period))?);
@@ -181,6 +240,7 @@ impl Waves {
         let bench = Bench::declare(&mut list, &[0, 0]);
         let line = list.add("program_line", Kind::Unsigned(32));
         let sample = config.two_level.map(|_| list.add("sample", Kind::Bit));
+        let motion = config.motion.map(|motion| MotionSignals::declare(&mut list, &motion));
         let circuits = declare_circuits(&mut list, config, method)
             .map_err(|why| Failure::Usage(format!("--bits {}: {why}", config.bits)))?;
         let writer = file.background_writer()?;
@@ -193,6 +253,7 @@ impl Waves {
             line,
             program_line: 0,
             sample,
+            motion,
             traced_until: 0,
             circuits,
             run_clocks: 0,
@@ -200,7 +261,7 @@ impl Waves {
             start: 0,
             clocks: 0,
             clocks_per_second: 1.0,
-            cycles_per_second: 1.0,
+            pace: Pace::Even { cycles_per_second: 1.0 },
             first: 0,
         })
     }
@@ -225,11 +286,52 @@ impl Waves {
             if let Some(sample) = self.sample {
                 self.tracer.set(sample, u64::from(is_first));
             }
+            self.trace_motion();
             self.bench.clock(&mut self.tracer, self.first, circuit, rise, fall)
         } else {
             self.bench.skip(circuit)
         }
     }
+}
+
+impl Waves {
+    /// Comes to the end of a record's time.
+    fn reach(&mut self, record: &Row) {
+        let Some(MotionSignals { speed, errors }) = &mut self.motion else { return };
+        let most = 2_f64.powi(SPEED_BITS as i32) - 1.0;
+        speed.1 = (record.speed * 1e3).round().min(most) as u64;
+        // A block's end between two periods has none: the last ones stay.
+        if let (Some(errors), Some(millimetres)) = (errors, record.following_errors) {
+            let most = 2_f64.powi(ERROR_BITS as i32 - 1) - 1.0;
+            for (error, millimetres) in errors.iter_mut().zip(millimetres) {
+                error.1 = (millimetres * 1e6).round().clamp(-most, most) as i64;
+            }
+        }
+    }
+
+    /// Traces what the last record has.
+    fn trace_motion(&mut self) {
+        let Some(MotionSignals { speed, errors }) = self.motion else { return };
+        self.tracer.set(speed.0, speed.1);
+        for (signal, error) in errors.into_iter().flatten() {
+            self.tracer.set(signal, error as u64);
+        }
+    }
+}
+
+impl MotionSignals {
+    /// Adds them to the list; at rest.
+    fn declare(list: &mut SignalList, settings: &MotionSettings) -> Self {
+        let speed = (list.add("speed", Kind::Ramp(SPEED_BITS)), 0);
+        let mut error = |name| (list.add(name, Kind::SignedRamp(ERROR_BITS)), 0);
+        let errors = settings.servo.map(|_| ["error_x", "error_y"].map(&mut error));
+        Self { speed, errors }
+    }
+}
+
+/// The tick of the time axis at a time in seconds.
+fn ticks(seconds: f64) -> u64 {
+    (seconds * TICKS_PER_SECOND).round() as u64
 }
 
 /// The circuits that the method needs, loaded with the smallest curves there are.

@@ -1,8 +1,9 @@
 //! `report.json`, and the summary on standard output.
 
 use super::block::BlockResult;
-use super::coarse::{Coarse, Reduced, SamplingReport};
+use super::coarse::{Coarse, PLANNED, Reduced, SamplingReport};
 use super::config::Config;
+use super::planned::{MotionReport, ServoReport};
 use super::speed::Speed;
 use super::two_level::TwoLevel;
 use crate::choice::{Method, UpdateName};
@@ -41,9 +42,9 @@ pub(super) struct BlockReport {
 }
 
 #[derive(Clone, Copy, Debug, Default, Serialize)]
-struct PerAxis<T> {
-    x: T,
-    y: T,
+pub(super) struct PerAxis<T> {
+    pub(super) x: T,
+    pub(super) y: T,
 }
 
 impl<T> From<[T; 2]> for PerAxis<T> {
@@ -58,7 +59,7 @@ impl BlockReport {
         method: &Method,
         speed: Speed,
         run: &BlockResult,
-        coarse: Option<Coarse>,
+        coarse: Option<Coarse<'_>>,
     ) -> Self {
         let curve = match (motion.curve, motion.rate) {
             (Curve::Line, Rate::Rapid) => "rapid",
@@ -119,7 +120,7 @@ impl Report {
             machine["bits"] = serde_json::json!(levels.bits);
             machine["two_level"] = serde_json::json!({
                 "period_ms": levels.period_ms,
-                "sampling": levels.sampling.name(),
+                "sampling": if levels.accelerate { PLANNED } else { levels.sampling.name() },
                 "tolerance_mm": levels.tolerance_mm,
             });
         }
@@ -158,12 +159,17 @@ impl Report {
         let position = serde_json::json!({
             "x": x, "y": y, "x_mm": x as f64 * pulse, "y_mm": y as f64 * pulse,
         });
-        let written = write!(
-            self.out,
-            "\n],\n\"totals\": {totals},\n\"final_position\": {position},\n\"hardware_agrees\": {}\n}}\n",
-            summary.agrees
-        );
-        let written = written.and_then(|()| self.out.flush());
+        let written =
+            write!(self.out, "\n],\n\"totals\": {totals},\n\"final_position\": {position},\n");
+        let written = written.and_then(|()| match &summary.motion {
+            None => Ok(()),
+            Some(motion) => {
+                writeln!(self.out, "\"motion\": {},", serde_json::to_string(motion)?)
+            }
+        });
+        let written = written
+            .and_then(|()| writeln!(self.out, "\"hardware_agrees\": {}\n}}", summary.agrees))
+            .and_then(|()| self.out.flush());
         self.check(written)?;
         Ok(self.file)
     }
@@ -187,6 +193,8 @@ pub(super) struct Summary {
     /// The samples of the block with the largest deviation, and its line.
     worst: Option<(u32, SamplingReport)>,
     samples: u64,
+    /// Where speeds are planned.
+    pub(super) motion: Option<MotionReport>,
     /// The first blocks, for showing.
     shown: Vec<BlockReport>,
 }
@@ -207,6 +215,7 @@ impl Default for Summary {
             agrees: true,
             worst: None,
             samples: 0,
+            motion: None,
             shown: Vec::new(),
         }
     }
@@ -307,11 +316,14 @@ impl Summary {
         }
         if let Some(levels) = config.two_level {
             let TwoLevel { period_ms, .. } = levels;
-            writeln!(
-                out,
-                "{} samples of {period_ms} ms; the last of a block, a shorter way, takes as long",
-                self.samples
-            )?;
+            match &self.motion {
+                None => writeln!(
+                    out,
+                    "{} samples of {period_ms} ms; the last of a block, a shorter way, takes as long",
+                    self.samples
+                )?,
+                Some(motion) => self.write_motion(&mut out, period_ms, motion)?,
+            }
             self.write_reduced(&mut out)?;
         }
         let exact = if self.endpoints_exact { "every" } else { "NOT every" };
@@ -322,6 +334,41 @@ impl Summary {
         out.flush()
     }
 
+    /// How the planned motion is at most.
+    fn write_motion(
+        &self,
+        out: &mut impl Write,
+        period_ms: f64,
+        motion: &MotionReport,
+    ) -> io::Result<()> {
+        let MotionReport {
+            largest_speed_mm_per_s: speed,
+            largest_acceleration_mm_per_s2: acceleration,
+            largest_jerk_mm_per_s3: jerk,
+            servo,
+            ..
+        } = *motion;
+        write!(
+            out,
+            "{} samples, at periods of {period_ms} ms and block ends: at most {speed:.3} mm/s, \
+             {acceleration:.3} mm/s²",
+            self.samples
+        )?;
+        match jerk {
+            Some(jerk) => writeln!(out, ", {jerk:.3} mm/s³")?,
+            None => writeln!(out)?,
+        }
+        if let Some(ServoReport { gain_per_s, largest_following_error_mm: PerAxis { x, y } }) =
+            servo
+        {
+            writeln!(
+                out,
+                "largest following errors {x:.4} mm in x, {y:.4} mm in y; K_v is {gain_per_s}/s"
+            )?;
+        }
+        Ok(())
+    }
+
     /// Which feeds could not be kept, and why.
     fn write_reduced(&self, out: &mut impl Write) -> io::Result<()> {
         for block in &self.shown {
@@ -330,6 +377,7 @@ impl Summary {
                 None => continue,
                 Some(Reduced::Radius) => "steps of a quarter of the radius",
                 Some(Reduced::Tolerance) => "the chord error tolerated",
+                Some(Reduced::Centripetal) => "the centripetal acceleration",
             };
             writeln!(
                 out,

@@ -16,6 +16,8 @@ pub(super) struct TwoLevel {
     pub(super) tolerance_mm: Option<f64>,
     /// The width of the registers, if it is not the smallest that serves a block.
     pub(super) bits: Option<u32>,
+    /// Whether speeds are planned through the whole program; the points are then on the curve itself.
+    pub(super) accelerate: bool,
 }
 
 /// The sample period of a machine that says nothing else, that of the FANUC 7M.
@@ -37,6 +39,7 @@ impl TwoLevel {
         // Another method on the command line overrules the file.
         if !(arguments.two_level || is_of_file && is_dda(given.method)) {
             return match unused(&[
+                (arguments.accelerate, "--accelerate"),
                 (arguments.period.is_some(), "--period"),
                 (arguments.sampling.is_some(), "--sampling"),
                 (arguments.tolerance.is_some(), "--tolerance"),
@@ -57,6 +60,12 @@ impl TwoLevel {
                 "{option} is not for two levels: the line of a sample takes half load and 2^n accumulations"
             )));
         }
+        let accelerate = arguments.accelerate || file.accelerate == Some(true);
+        if accelerate && arguments.sampling.is_some() {
+            return Err(Failure::Usage(
+                "--sampling is not for --accelerate: the points are on the curve itself".into(),
+            ));
+        }
         let number = |option: &str, text: &Option<String>, key: &str, value: Option<f64>| {
             let number = match (text, value) {
                 (Some(text), _) => positive(option, text).map_err(Failure::Usage)?,
@@ -76,6 +85,7 @@ impl TwoLevel {
             tolerance_mm,
             // The width of a machine of one level is far more than a sample needs.
             bits: given.bits.or(file.bits.filter(|_| is_of_file)),
+            accelerate,
         }))
     }
 }

@@ -33,9 +33,10 @@ impl Encoded {
     pub(super) fn new(kind: Kind, id: &str) -> io::Result<Self> {
         Ok(match kind {
             Kind::Bit => Self::Bit(Ending::new(&format!("{id}\n"))?),
-            Kind::Unsigned(bits) | Kind::Ramp(bits) | Kind::Signed(bits) => {
-                Self::Number(bits, Ending::new(&format!(" {id}\n"))?)
-            }
+            Kind::Unsigned(bits)
+            | Kind::Ramp(bits)
+            | Kind::Signed(bits)
+            | Kind::SignedRamp(bits) => Self::Number(bits, Ending::new(&format!(" {id}\n"))?),
             Kind::Word(words) => {
                 let words = words.iter().chain([&"?"]);
                 let lines = words.map(|word| Line::new(&format!("s{word} {id}\n")));

@@ -13,6 +13,8 @@ mod flag {
     pub(super) const ASCII: u32 = 0x820;
     /// A curve of steps, in decimal.
     pub(super) const CURVE: u32 = 0x8024;
+    /// The same of signed numbers.
+    pub(super) const SIGNED_CURVE: u32 = 0x8420;
     /// A line that gives its room to the curve above.
     pub(super) const CURVE_ROOM: u32 = 0x20000;
 }
@@ -49,6 +51,7 @@ pub fn gtkw(wave_file: &str, list: &SignalList, period: f64) -> String {
             Kind::Unsigned(bits) => (flag::DECIMAL, range(bits)),
             Kind::Ramp(bits) => (flag::CURVE, range(bits)),
             Kind::Signed(bits) => (flag::SIGNED, range(bits)),
+            Kind::SignedRamp(bits) => (flag::SIGNED_CURVE, range(bits)),
             Kind::Word(words) if is_fst => {
                 let longest = words.iter().map(|word| word.len()).max().unwrap_or(1);
                 (flag::ASCII, range(8 * longest as u32))
@@ -62,7 +65,7 @@ pub fn gtkw(wave_file: &str, list: &SignalList, period: f64) -> String {
         let dot = if signal.scope.is_empty() { "" } else { "." };
         let (top, scope, name) = (SignalList::TOP, signal.scope, &signal.name);
         let _ = writeln!(text, "{top}.{scope}{dot}{name}{range}");
-        if flags == flag::CURVE {
+        if matches!(flags, flag::CURVE | flag::SIGNED_CURVE) {
             let _ = writeln!(text, "@{:x}\n-\n-", flag::CURVE_ROOM);
             shown = flag::CURVE_ROOM;
         }

@@ -95,7 +95,10 @@ impl Section {
         match *kind {
             // The lowest bits tell values of more than two states from these.
             Kind::Bit => push_number(bytes, gone_by << 2 | (value & 1) << 1),
-            Kind::Unsigned(bits) | Kind::Ramp(bits) | Kind::Signed(bits) => {
+            Kind::Unsigned(bits)
+            | Kind::Ramp(bits)
+            | Kind::Signed(bits)
+            | Kind::SignedRamp(bits) => {
                 push_number(bytes, gone_by << 1);
                 let end = bytes.len() + bits.div_ceil(8) as usize;
                 bytes.extend_from_slice(&(value << (64 - bits)).to_be_bytes());

@@ -37,12 +37,12 @@ pub fn sucl(wave_file: &str, list: &SignalList) -> String {
         let format = match signal.kind {
             Kind::Bit => continue,
             Kind::Unsigned(_) | Kind::Ramp(_) => "Unsigned",
-            Kind::Signed(_) => "Signed",
+            Kind::Signed(_) | Kind::SignedRamp(_) => "Signed",
             Kind::Word(_) if is_fst => "ASCII",
             Kind::Word(_) => "String",
         };
         let _ = writeln!(text, "item_set_format {format}");
-        if let Kind::Ramp(_) = signal.kind {
+        if let Kind::Ramp(_) | Kind::SignedRamp(_) = signal.kind {
             let _ = writeln!(text, "item_set_height {CURVE_LINES}\nitem_set_analog step");
         }
     }

@@ -50,7 +50,7 @@ impl<W: Write> Vcd<W> {
             let (var_type, range) = match signal.kind {
                 Kind::Bit => (vcd::VarType::Wire, None),
                 Kind::Word(_) => (vcd::VarType::String, None),
-                Kind::Unsigned(_) | Kind::Ramp(_) | Kind::Signed(_) => {
+                Kind::Unsigned(_) | Kind::Ramp(_) | Kind::Signed(_) | Kind::SignedRamp(_) => {
                     (vcd::VarType::Reg, Some(vcd::ReferenceIndex::Range(bits as i32 - 1, 0)))
                 }
             };

@@ -59,6 +59,12 @@ impl Axis {
         Ok(Self::at_rest(settings))
     }
 
+    /// What makes it.
+    #[must_use]
+    pub const fn settings(&self) -> Settings {
+        self.settings
+    }
+
     pub(super) fn at_rest(settings: Settings) -> Self {
         let drive = Drive::new(settings.drive_time_constant, settings.period);
         Self { settings, drive, position: 0.0, speed: 0.0 }
