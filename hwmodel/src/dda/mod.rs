@@ -5,7 +5,5 @@ mod centred_arc;
 mod line;
 
 pub use arc::Arc;
-#[cfg(feature = "proofs")]
-pub use centred_arc::Beat as CentredBeat;
-pub use centred_arc::CentredArc;
+pub use centred_arc::{Beat as CentredBeat, CentredArc};
 pub use line::Line;
