@@ -1,4 +1,4 @@
-//! `onepulse profile`: the motion of a program over time.
+//! `onepulse profile`: the motion of a program over time, which `onepulse run --accelerate` makes too.
 
 mod chain;
 mod plot;

@@ -4,6 +4,7 @@ mod block;
 mod coarse;
 mod config;
 mod deviation;
+mod motion_signals;
 mod outputs;
 mod picture;
 mod planned;

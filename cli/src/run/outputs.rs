@@ -1,6 +1,7 @@
 //! Everything that a run writes, block by block: nothing is kept.
 
 use super::config::Config;
+use super::motion_signals::MotionSignals;
 use super::picture::Picture;
 use super::report::{Report, Summary};
 use crate::args::RunArguments;
@@ -68,19 +69,6 @@ struct Waves {
     /// The first signal of the circuit that runs.
     first: usize,
 }
-
-/// The planned motion at the last record.
-#[derive(Clone, Copy, Debug)]
-struct MotionSignals {
-    /// The commanded speed in micrometres a second.
-    speed: (usize, u64),
-    /// The following error of each axis in nanometres, if there are position loops.
-    errors: Option<[(usize, i64); 2]>,
-}
-
-/// Up to 4 km/s and 500 m. What is more stays there.
-const SPEED_BITS: u32 = 32;
-const ERROR_BITS: u32 = 40;
 
 /// The time axis of a run counts picoseconds.
 const EXPONENT: i8 = -12;
@@ -183,7 +171,9 @@ impl Outputs {
                     waves.start.saturating_add((seconds * TICKS_PER_SECOND) as u64)
                 }
                 Pace::Until { record, .. } => {
-                    waves.reach(&record);
+                    if let Some(motion) = &mut waves.motion {
+                        motion.reach(&record);
+                    }
                     ticks(record.time)
                 }
             };
@@ -192,7 +182,9 @@ impl Outputs {
             if waves.window.contains(&waves.run_clocks) {
                 waves.traced_until = start;
                 waves.bench.sample(&mut waves.tracer, first, circuit, start);
-                waves.trace_motion();
+                if let Some(motion) = &waves.motion {
+                    motion.trace(&mut waves.tracer);
+                }
             }
             waves.tracer.check().map_err(|error| waves.file.failure(&error))?;
         }
@@ -286,46 +278,13 @@ impl Waves {
             if let Some(sample) = self.sample {
                 self.tracer.set(sample, u64::from(is_first));
             }
-            self.trace_motion();
+            if let Some(motion) = &self.motion {
+                motion.trace(&mut self.tracer);
+            }
             self.bench.clock(&mut self.tracer, self.first, circuit, rise, fall)
         } else {
             self.bench.skip(circuit)
         }
-    }
-}
-
-impl Waves {
-    /// Comes to the end of a record's time.
-    fn reach(&mut self, record: &Row) {
-        let Some(MotionSignals { speed, errors }) = &mut self.motion else { return };
-        let most = 2_f64.powi(SPEED_BITS as i32) - 1.0;
-        speed.1 = (record.speed * 1e3).round().min(most) as u64;
-        // A block's end between two periods has none: the last ones stay.
-        if let (Some(errors), Some(millimetres)) = (errors, record.following_errors) {
-            let most = 2_f64.powi(ERROR_BITS as i32 - 1) - 1.0;
-            for (error, millimetres) in errors.iter_mut().zip(millimetres) {
-                error.1 = (millimetres * 1e6).round().clamp(-most, most) as i64;
-            }
-        }
-    }
-
-    /// Traces what the last record has.
-    fn trace_motion(&mut self) {
-        let Some(MotionSignals { speed, errors }) = self.motion else { return };
-        self.tracer.set(speed.0, speed.1);
-        for (signal, error) in errors.into_iter().flatten() {
-            self.tracer.set(signal, error as u64);
-        }
-    }
-}
-
-impl MotionSignals {
-    /// Adds them to the list; at rest.
-    fn declare(list: &mut SignalList, settings: &MotionSettings) -> Self {
-        let speed = (list.add("speed", Kind::Ramp(SPEED_BITS)), 0);
-        let mut error = |name| (list.add(name, Kind::SignedRamp(ERROR_BITS)), 0);
-        let errors = settings.servo.map(|_| ["error_x", "error_y"].map(&mut error));
-        Self { speed, errors }
     }
 }
 
