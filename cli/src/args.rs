@@ -7,7 +7,7 @@ use crate::curve::{AxisName, Curve, PlaneName, PlanePoint, Point, coordinate};
 use crate::feed_rate::FeedRateArguments;
 use crate::interpolator::DriveTimes;
 use crate::motion_settings::MotionOptions;
-use crate::profile;
+use crate::plots;
 use crate::pulses;
 use crate::ramp::RampArguments;
 use crate::sample::SamplingName;
@@ -221,7 +221,7 @@ pub(crate) struct ProfileArguments {
     pub(crate) pulse_mm: Option<String>,
     /// How to write it
     #[arg(long, value_enum, default_value_t)]
-    pub(crate) format: profile::Format,
+    pub(crate) format: plots::Format,
     /// The sample period in milliseconds [default: 8]
     #[arg(long, value_name = "MS", allow_negative_numbers = true)]
     pub(crate) period: Option<String>,

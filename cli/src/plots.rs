@@ -1,7 +1,18 @@
 //! Plots over the same quantity, one under the other.
 
 use crate::failure::Failure;
+use clap::ValueEnum;
 use plotters::prelude::*;
+
+/// How what can be plotted is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Comma separated values
+    #[default]
+    Csv,
+    /// A plot
+    Svg,
+}
 
 /// Tells lines apart in print too, and for those who see colours differently (Okabe and Ito's set).
 const COLOURS: [RGBColor; 2] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0)];

@@ -3,6 +3,7 @@
 mod plot;
 
 use crate::failure::Failure;
+use crate::plots::Format;
 use clap::{Args, ValueEnum};
 use onepulse_core::dda::{self, Preset, Radix, Register};
 use onepulse_core::{EndRule, Error, comparison, minimum_deviation, ppc, vector};
@@ -17,15 +18,6 @@ pub(crate) enum Over {
     Direction,
     /// The length of a line, along an axis: digital integration, as it is and normalized
     Length,
-}
-
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Format {
-    /// Comma separated values
-    #[default]
-    Csv,
-    /// A plot
-    Svg,
 }
 
 #[derive(Debug, Args)]

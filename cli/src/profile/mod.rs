@@ -7,7 +7,7 @@ use crate::args::ProfileArguments;
 use crate::failure::Failure;
 use crate::machine_file::MachineFile;
 use crate::motion_settings::MotionSettings;
-use clap::ValueEnum;
+use crate::plots::Format;
 use onepulse_plan::Motion;
 use onepulse_plan::gcode::Program;
 use std::fs::File;
@@ -15,16 +15,6 @@ use std::io::{self, BufReader, BufWriter, Write};
 
 pub(crate) use chain::{Row, Rows};
 pub(crate) use plot::svg;
-
-/// How a profile is written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Format {
-    /// Comma separated values
-    #[default]
-    Csv,
-    /// A plot
-    Svg,
-}
 
 pub(crate) fn profile(arguments: &ProfileArguments) -> Result<(), Failure> {
     let file = MachineFile::read(arguments.config.as_deref())?;

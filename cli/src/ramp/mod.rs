@@ -3,22 +3,12 @@
 mod registers;
 
 use crate::failure::Failure;
-use crate::plots::{self, Plot};
-use clap::{Args, ValueEnum};
+use crate::plots::{self, Format, Plot};
+use clap::Args;
 use onepulse_core::Error;
 use onepulse_core::ramp::{SCurve, Trapezoid};
 use registers::Registers;
 use std::io::{self, BufWriter, Write};
-
-/// How a ramp is written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Format {
-    /// Comma separated values, a line for each pulse
-    #[default]
-    Csv,
-    /// A plot
-    Svg,
-}
 
 #[derive(Debug, Args)]
 pub(crate) struct RampArguments {
