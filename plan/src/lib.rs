@@ -17,6 +17,7 @@
 //! ```
 
 pub mod after_interpolation;
+pub mod compensation;
 mod diagnostic;
 pub mod gcode;
 mod length;
