@@ -140,6 +140,11 @@ impl Method {
         name.name()
     }
 
+    /// Whether the hardware model has a circuit of the method for lines that move more than two axes.
+    pub(crate) const fn has_circuit_in_space(&self) -> bool {
+        matches!(self, Self::Dda { .. } | Self::Brm { smoothing: 0 } | Self::MinDeviation)
+    }
+
     /// Whether the hardware model has circuits of the method.
     pub(crate) const fn has_circuit(&self) -> bool {
         !matches!(self, Self::Brm { smoothing: 1.. } | Self::Vector)

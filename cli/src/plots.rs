@@ -15,12 +15,12 @@ pub(crate) enum Format {
 }
 
 /// Tells lines apart in print too, and for those who see colours differently (Okabe and Ito's set).
-const COLOURS: [RGBColor; 2] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0)];
+const COLOURS: [RGBColor; 3] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0), RGBColor(0, 158, 115)];
 
 const WIDTH: u32 = 900;
 const HEIGHT_OF_ONE: u32 = 200;
 
-/// One plot: a quantity over another, a curve or two.
+/// One plot: a quantity over another, up to three curves.
 #[derive(Debug)]
 pub(crate) struct Plot {
     /// With its unit.

@@ -11,7 +11,7 @@
 //! let text = "G90 G21\nG01 X10.5 Y-2.25 F300\nM02\n";
 //! let machine = Machine::with_pulse("0.01".parse()?);
 //! let motions: Vec<_> = Program::new(text.as_bytes(), &machine).collect::<Result<_, _>>()?;
-//! assert_eq!(motions[0].to, [1050, -225]);
+//! assert_eq!(motions[0].to, [1050, -225, 0]);
 //! assert_eq!(motions[0].curve, Curve::Line);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -2,7 +2,7 @@
 //! samples of the motion against the limits.
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
-use onepulse_core::Direction;
+use onepulse_core::{Direction, Plane};
 use onepulse_plan::speed::{AHEAD, Block, Limits, LookAhead, Path, Profile, Sample, Samples};
 use onepulse_plan::{Curve, Machine, Motion, Rate, gcode::Program};
 use proptest::prelude::*;
@@ -22,8 +22,8 @@ fn limits(jerk: Option<f64>) -> Limits {
 struct Made {
     length: f64,
     steady: f64,
-    start: [f64; 2],
-    end: [f64; 2],
+    start: [f64; 3],
+    end: [f64; 3],
 }
 
 impl Made {
@@ -54,7 +54,11 @@ impl Chance {
 /// tangent corners, slight and sharp ones and reversals; lines and arcs.
 fn program(blocks: usize, seed: u64) -> Vec<Made> {
     let mut chance = Chance(seed);
-    let mut heading = 0.0;
+    // Its plane is turned about x: by no angle at all, or by any.
+    let tilt = (seed % 4) as f64;
+    let direction =
+        |heading: f64| [heading.cos(), heading.sin() * tilt.cos(), heading.sin() * tilt.sin()];
+    let mut heading: f64 = 0.0;
     let mut made = Vec::with_capacity(blocks);
     let (mut stretch, mut kind) = (0, 0);
     while made.len() < blocks {
@@ -76,11 +80,11 @@ fn program(blocks: usize, seed: u64) -> Vec<Made> {
             0.8..0.95 => (chance.share() - 0.5) * TAU,
             _ => PI,
         };
-        let start = [f64::cos(heading), f64::sin(heading)];
+        let start = direction(heading);
         if chance.share() < 0.2 {
             heading += (chance.share() - 0.5) * TAU;
         }
-        made.push(Made { length, steady, start, end: [heading.cos(), heading.sin()] });
+        made.push(Made { length, steady, start, end: direction(heading) });
     }
     made
 }
@@ -140,7 +144,8 @@ fn corner(program: &[Made], k: usize) -> f64 {
         return 0.0;
     }
     let (before, after) = (&program[k - 1], &program[k]);
-    let turned = (after.start[0] - before.end[0]).hypot(after.start[1] - before.end[1]);
+    let turned =
+        (0..3).map(|axis| (after.start[axis] - before.end[axis]).powi(2)).sum::<f64>().sqrt();
     before.steady.min(after.steady).min(CORNER / turned)
 }
 
@@ -168,9 +173,9 @@ fn assert_joined(program: &[Made], profiles: &[Profile], jerk: Option<f64>) {
         assert_eq!(again, Ok(*profile), "block {k}");
         assert!(profile.peak() <= made.steady, "block {k}");
         if let Some(next) = program.get(k + 1) {
-            let jump: [f64; 2] =
-                [0, 1].map(|axis| (next.start[axis] - made.end[axis]) * profile.exit());
-            assert!(jump[0].hypot(jump[1]) <= CORNER * (1.0 + 1e-9), "corner {k}");
+            let [x, y, z] =
+                [0, 1, 2].map(|axis| (next.start[axis] - made.end[axis]) * profile.exit());
+            assert!(x.hypot(y).hypot(z) <= CORNER * (1.0 + 1e-9), "corner {k}");
         }
     }
 }
@@ -229,7 +234,7 @@ fn the_look_ahead_holds_as_much_as_it_says() {
 fn programs_of_no_block_and_of_one() {
     assert_eq!(planned(&[], None), []);
     assert_eq!(Samples::new(planned(&[], None), 0.01).unwrap().next(), None);
-    let one = Made { length: 2.0, steady: 100.0, start: [1.0, 0.0], end: [1.0, 0.0] };
+    let one = Made { length: 2.0, steady: 100.0, start: [1.0, 0.0, 0.0], end: [1.0, 0.0, 0.0] };
     let alone = Profile::new(2.0, 0.0, 0.0, 100.0, &limits(Some(JERK))).unwrap();
     assert_eq!(planned(&[one], Some(JERK)), [alone]);
 }
@@ -292,7 +297,7 @@ fn samples_keep_the_limits_and_every_end() {
 /// The textbook's increments: a·T more each period, then the steady speed, then a·T less.
 #[test]
 fn a_line_runs_by_the_textbook_s_increments() {
-    let line = Made { length: 20.0, steady: 100.0, start: [1.0, 0.0], end: [1.0, 0.0] };
+    let line = Made { length: 20.0, steady: 100.0, start: [1.0, 0.0, 0.0], end: [1.0, 0.0, 0.0] };
     let period = 0.008;
     let samples = samples(&[line], None, period);
     // 0.1 s and 5 mm up and down, 10 mm at 100 mm/s: 0.3 s.
@@ -320,7 +325,7 @@ fn a_line_runs_by_the_textbook_s_increments() {
 /// Tangent blocks are one to the speed: nothing dips where one ends within a period.
 #[test]
 fn the_speed_does_not_dip_from_block_to_block() {
-    let made = Made { length: 0.77, steady: 100.0, start: [0.6, 0.8], end: [0.6, 0.8] };
+    let made = Made { length: 0.77, steady: 100.0, start: [0.6, 0.0, 0.8], end: [0.6, 0.0, 0.8] };
     let program = [made; 100];
     let samples = samples(&program, None, 0.008);
     let steady = samples.iter().filter(|sample| (7..93).contains(&sample.block));
@@ -332,7 +337,7 @@ fn the_speed_does_not_dip_from_block_to_block() {
 #[test]
 fn an_end_on_the_grid_is_one_record() {
     // 0.1 s up, 0.1 s on, 0.1 s down.
-    let line = Made { length: 20.0, steady: 100.0, start: [1.0, 0.0], end: [1.0, 0.0] };
+    let line = Made { length: 20.0, steady: 100.0, start: [1.0, 0.0, 0.0], end: [1.0, 0.0, 0.0] };
     let samples = samples(&[line; 3], None, 0.1);
     // The three are one line of 60 mm, which takes 0.7 s: blocks end after 0.25, 0.45 and 0.7 s.
     let ends: Vec<_> =
@@ -347,9 +352,9 @@ fn a_full_circle_keeps_its_radius_and_the_centripetal_limit() {
     let limits = limits(Some(JERK));
     let motion = Motion {
         line: 1,
-        from: [15_000, 0],
-        to: [15_000, 0],
-        curve: Curve::Arc { centre: [10_000, 0], direction: Direction::Ccw },
+        from: [15_000, 0, 0],
+        to: [15_000, 0, 0],
+        curve: Curve::Arc { plane: Plane::Xy, centre: [10_000, 0], direction: Direction::Ccw },
         rate: Rate::Feed("6000".parse().unwrap()),
     };
     let path = Path::of(&motion, machine.pulse).unwrap();
@@ -362,7 +367,7 @@ fn a_full_circle_keeps_its_radius_and_the_centripetal_limit() {
     let mut angle = 0.0;
     let mut last: [f64; 2] = [5.0, 0.0];
     for sample in &samples {
-        let [x, y] = path.point(sample.way);
+        let [x, y, _] = path.point(sample.way);
         let seen = [x - 10.0, y];
         assert!((seen[0].hypot(seen[1]) - 5.0).abs() < 1e-9);
         angle +=
@@ -370,7 +375,7 @@ fn a_full_circle_keeps_its_radius_and_the_centripetal_limit() {
         assert!((angle * 5.0 - sample.way).abs() < 1e-9);
         last = seen;
     }
-    assert_eq!(path.point(samples[samples.len() - 1].way), [15.0, 0.0]);
+    assert_eq!(path.point(samples[samples.len() - 1].way), [15.0, 0.0, 0.0]);
 }
 
 /// From the text of a program to points: the corner is a point of its own and slow, the tangent one is
@@ -388,7 +393,7 @@ fn a_program_is_sampled_through_its_corners() {
     let samples: Vec<_> = Samples::new(LookAhead::new(blocks, limits), 0.008).unwrap().collect();
     let ends: Vec<_> = samples.iter().filter(|sample| sample.is_block_end).collect();
     let points: Vec<_> = ends.iter().map(|end| paths[end.block].point(end.way)).collect();
-    assert_eq!(points, [[10.0, 0.0], [15.0, 5.0], [25.0, 5.0]]);
+    assert_eq!(points, [[10.0, 0.0, 0.0], [15.0, 5.0, 0.0], [25.0, 5.0, 0.0]]);
     assert_eq!(ends[0].speed, 50.0);
     // A right angle: the velocity jumps by √2 of the speed.
     assert!((ends[1].speed - CORNER / 2_f64.sqrt()).abs() < 1e-9);
@@ -421,8 +426,8 @@ proptest! {
         let program: Vec<_> = (0..1000).map(|_| Made {
             length: if chance.share() < 0.1 { 10.0 } else { chance.magnitude(-12.0, -8.0) },
             steady: 1000.0,
-            start: [1.0, 0.0],
-            end: if chance.share() < 0.01 { [0.0, 1.0] } else { [1.0, 0.0] },
+            start: [1.0, 0.0, 0.0],
+            end: if chance.share() < 0.01 { [0.0, 1.0, 0.0] } else { [1.0, 0.0, 0.0] },
         }).collect();
         assert_joined(&program, &planned(&program, jerk), jerk);
     }
@@ -442,8 +447,8 @@ proptest! {
                 chance.magnitude(-11.0, -7.0)
             },
             steady: 1e6,
-            start: [1.0, 0.0],
-            end: [1.0, 0.0],
+            start: [1.0, 0.0, 0.0],
+            end: [1.0, 0.0, 0.0],
         }).collect();
         assert_joined(&program, &planned(&program, jerk), jerk);
     }

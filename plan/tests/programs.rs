@@ -36,14 +36,14 @@ fn refusal(program: impl AsRef<[u8]>, machine: &Machine) -> Diagnostic {
 
 /// A motion in one line of text: `2 ccw 5,0 0,5 about 0,0 F150`.
 fn shown(motion: &Motion) -> String {
-    let Motion { line, from: [x0, y0], to: [x1, y1], curve, rate } = motion;
+    let Motion { line, from: [x0, y0, _], to: [x1, y1, _], curve, rate } = motion;
     let ends = format!("{x0},{y0} {x1},{y1}");
     let curve = match curve {
         Curve::Line => format!("line {ends}"),
-        Curve::Arc { centre: [x, y], direction: Direction::Cw } => {
+        Curve::Arc { centre: [x, y], direction: Direction::Cw, .. } => {
             format!("cw {ends} about {x},{y}")
         }
-        Curve::Arc { centre: [x, y], direction: Direction::Ccw } => {
+        Curve::Arc { centre: [x, y], direction: Direction::Ccw, .. } => {
             format!("ccw {ends} about {x},{y}")
         }
     };
@@ -164,8 +164,8 @@ fn increments_of_a_part_of_a_pulse_add_up_without_error() {
     ] {
         let program = format!("G91 G01 F100\n{}", format!("{step}\n").repeat(count));
         let motions = motions(&program, &machine());
-        let last = motions.last().map_or([0, 0], |motion| motion.to);
-        assert_eq!(last, end, "{step}");
+        let last = motions.last().map_or([0; 3], |motion| motion.to);
+        assert_eq!(last, [end[0], end[1], 0], "{step}");
         for pair in motions.windows(2) {
             assert_eq!(pair[0].to, pair[1].from, "{step}");
         }
@@ -176,7 +176,7 @@ fn increments_of_a_part_of_a_pulse_add_up_without_error() {
 fn increments_of_a_part_of_an_inch_add_up_without_error() {
     // 1250 times 0.0001 inch are 3.175 mm: 317.5 pulses.
     let program = format!("G20 G91 G01 F1.\n{}", "X0.0001\n".repeat(1250));
-    assert_eq!(motions(&program, &machine()).last().unwrap().to, [318, 0]);
+    assert_eq!(motions(&program, &machine()).last().unwrap().to, [318, 0, 0]);
 }
 
 #[test]
@@ -815,18 +815,20 @@ fn turn([x0, y0]: [i64; 2], [x1, y1]: [i64; 2], direction: Direction) -> f64 {
 /// Runs a program to its end and checks what holds of every one.
 fn check_any(program: &[u8], machine: &Machine) -> Result<(), TestCaseError> {
     let lines = program.split(|byte| *byte == b'\n').count();
-    let mut position = [0, 0];
+    let mut position = [0; 3];
     let mut count = 0;
     for motion in Program::new(program, machine) {
         // A block makes two motions at most.
         count += 1;
         prop_assert!(count <= 2 * lines, "it never ends");
         match motion {
-            Ok(Motion { line, from, to, curve, .. }) => {
+            Ok(motion) => {
+                let Motion { line, from, to, curve, .. } = motion;
                 prop_assert!((1..=lines).contains(&(line as usize)));
                 prop_assert_eq!(from, position);
                 prop_assert!(curve != Curve::Line || from != to);
-                if let Curve::Arc { centre, .. } = curve {
+                if let Curve::Arc { plane, centre, .. } = curve {
+                    let [from, to] = motion.ends_in(plane);
                     for (point, axis) in [(from, 0), (from, 1), (to, 0), (to, 1)] {
                         let seen = i64::from(point[axis]) - centre[axis];
                         prop_assert!(i32::try_from(seen).is_ok());
@@ -911,8 +913,9 @@ proptest! {
             .iter()
             .map(|motion| match motion.curve {
                 Curve::Line => 0.0,
-                Curve::Arc { centre, direction } => {
-                    turn(seen(motion.from, centre), seen(motion.to, centre), direction)
+                Curve::Arc { plane, centre, direction } => {
+                    let [from, to] = motion.ends_in(plane);
+                    turn(seen(from, centre), seen(to, centre), direction)
                 }
             })
             .sum();

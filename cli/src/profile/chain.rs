@@ -12,7 +12,7 @@ pub(crate) struct Row {
     /// The program's line.
     pub(crate) line: u32,
     /// The point commanded.
-    pub(crate) point: [f64; 2],
+    pub(crate) point: [f64; 3],
     /// Along the path, as commanded.
     pub(crate) speed: f64,
     pub(crate) acceleration: f64,
@@ -20,9 +20,9 @@ pub(crate) struct Row {
     /// linear ramps, no more than a sign of it.
     pub(crate) jerk: f64,
     /// The mean time between the pulses of each axis since the row before, where there were any.
-    pub(crate) intervals: [Option<f64>; 2],
+    pub(crate) intervals: [Option<f64>; 3],
     /// Command less position of each axis, taken at the end of a sample period.
-    pub(crate) following_errors: Option<[f64; 2]>,
+    pub(crate) following_errors: Option<[f64; 3]>,
     pub(crate) is_block_end: bool,
 }
 
@@ -39,7 +39,7 @@ pub(crate) struct Rows<'a> {
     period: f64,
     /// Whole periods so far.
     periods: u64,
-    pulses: Pulses,
+    pulses: Pulses<3>,
     last: Row,
     axes: Option<Followed>,
 }
@@ -69,7 +69,7 @@ impl<'a> Rows<'a> {
         let profiles: Vec<_> = LookAhead::new(blocks, limits).collect();
         let samples = Samples::new(profiles.clone(), period);
         let samples = samples.map_err(|why| why.to_string())?;
-        let start = paths.first().map_or([0.0; 2], |path| path.point(0.0));
+        let start = paths.first().map_or([0.0; 3], |path| path.point(0.0));
         let pulse = machine.pulse.millimetres();
         Ok(Self {
             motions,
@@ -81,8 +81,13 @@ impl<'a> Rows<'a> {
             periods: 0,
             pulses: Pulses::new(pulse, start),
             last: Row::at(start),
-            axes: servo.map(|axis| Followed { start, axes: [axis; 2] }),
+            axes: servo.map(|axis| Followed { start, axes: [axis; 3] }),
         })
+    }
+
+    /// The axes that move: two, or with z three.
+    pub(crate) fn axes(&self) -> usize {
+        if self.motions.iter().any(Motion::moves_z) { 3 } else { 2 }
     }
 
     /// The speeds planned over each block.
@@ -147,7 +152,7 @@ impl Iterator for Rows<'_> {
 
 impl Row {
     /// At rest.
-    fn at(point: [f64; 2]) -> Self {
+    fn at(point: [f64; 3]) -> Self {
         Self {
             time: 0.0,
             line: 0,
@@ -155,7 +160,7 @@ impl Row {
             speed: 0.0,
             acceleration: 0.0,
             jerk: 0.0,
-            intervals: [None; 2],
+            intervals: [None; 3],
             following_errors: None,
             is_block_end: false,
         }
@@ -165,21 +170,21 @@ impl Row {
 /// The axes, each of which counts its way from the start.
 #[derive(Debug)]
 struct Followed {
-    start: [f64; 2],
-    axes: [servo::Axis; 2],
+    start: [f64; 3],
+    axes: [servo::Axis; 3],
 }
 
 impl Followed {
     /// Whether each axis is that near to the point, and will not move further in a period.
-    fn stand_at(&self, point: [f64; 2], near: f64, period: f64) -> bool {
-        (0..2).all(|axis| {
+    fn stand_at(&self, point: [f64; 3], near: f64, period: f64) -> bool {
+        (0..3).all(|axis| {
             let error = point[axis] - self.start[axis] - self.axes[axis].position();
             error.abs() <= near && self.axes[axis].speed().abs() * period <= near
         })
     }
 
     /// Commands a point for the next period: the following errors it begins with.
-    fn command(&mut self, point: [f64; 2]) -> [f64; 2] {
-        [0, 1].map(|axis| self.axes[axis].step(point[axis] - self.start[axis]).following_error)
+    fn command(&mut self, point: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|axis| self.axes[axis].step(point[axis] - self.start[axis]).following_error)
     }
 }

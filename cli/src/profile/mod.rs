@@ -8,6 +8,7 @@ use crate::failure::Failure;
 use crate::machine_file::MachineFile;
 use crate::motion_settings::MotionSettings;
 use crate::plots::Format;
+use crate::pulses::AXES;
 use onepulse_plan::Motion;
 use onepulse_plan::gcode::Program;
 use std::fs::File;
@@ -28,33 +29,44 @@ pub(crate) fn profile(arguments: &ProfileArguments) -> Result<(), Failure> {
     let motions = motions.map_err(|error| Failure::program(&arguments.program, error))?;
     let rows = Rows::new(&motions, &machine, &settings, |_| f64::INFINITY);
     let rows = rows.map_err(|why| Failure::Fault(format!("{name}: {why}")))?;
+    let axes = rows.axes();
     match arguments.format {
-        Format::Csv => csv(rows, settings.servo.is_some()),
+        Format::Csv => csv(rows, axes, settings.servo.is_some()),
         Format::Svg => {
-            let text = svg(&rows.collect::<Vec<_>>())?;
+            let text = svg(&rows.collect::<Vec<_>>(), axes)?;
             io::stdout().lock().write_all(text.as_bytes())
         }
     }
     .map_err(|error| Failure::stdout(&error))
 }
 
-fn csv(rows: impl Iterator<Item = Row>, has_servo: bool) -> io::Result<()> {
+/// Writes the rows, with so many axes.
+fn csv(rows: impl Iterator<Item = Row>, axes: usize, has_servo: bool) -> io::Result<()> {
     let mut out = BufWriter::new(io::stdout().lock());
-    let more = if has_servo { ",error_x,error_y" } else { "" };
-    writeln!(out, "time,line,x,y,speed,acceleration,jerk,interval_x,interval_y{more}")?;
+    let columns = |stem: &str| -> String {
+        AXES[..axes].iter().map(|axis| format!(",{stem}{axis}")).collect()
+    };
+    let (points, intervals) = (columns(""), columns("interval_"));
+    let errors = if has_servo { columns("error_") } else { String::new() };
+    writeln!(out, "time,line{points},speed,acceleration,jerk{intervals}{errors}")?;
     for row in rows {
-        let Row { time, line, point: [x, y], speed, acceleration, jerk, .. } = row;
-        write!(out, "{time:.9},{line},{x:.6},{y:.6},{speed:.6},{acceleration:.3},{jerk:.3}")?;
-        for interval in row.intervals {
+        let Row { time, line, speed, acceleration, jerk, .. } = row;
+        write!(out, "{time:.9},{line}")?;
+        for c in &row.point[..axes] {
+            write!(out, ",{c:.6}")?;
+        }
+        write!(out, ",{speed:.6},{acceleration:.3},{jerk:.3}")?;
+        for interval in &row.intervals[..axes] {
             match interval {
                 Some(seconds) => write!(out, ",{seconds:.9}")?,
                 None => write!(out, ",")?,
             }
         }
-        match row.following_errors {
-            Some([x, y]) => write!(out, ",{x:.9},{y:.9}")?,
-            None if has_servo => write!(out, ",,")?,
-            None => {}
+        for axis in (0..axes).filter(|_| has_servo) {
+            match row.following_errors {
+                Some(errors) => write!(out, ",{:.9}", errors[axis])?,
+                None => write!(out, ",")?,
+            }
         }
         writeln!(out)?;
     }

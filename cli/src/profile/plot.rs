@@ -3,9 +3,10 @@
 use super::Row;
 use crate::failure::Failure;
 use crate::plots::{self, Plot, Point};
+use crate::pulses::AXES;
 
-/// All quantities that the rows have.
-pub(crate) fn svg(rows: &[Row]) -> Result<String, Failure> {
+/// All quantities that the rows have, of so many axes.
+pub(crate) fn svg(rows: &[Row], axes: usize) -> Result<String, Failure> {
     let over_time = |value: &dyn Fn(&Row) -> Option<f64>| -> Vec<Point> {
         rows.iter().map(|row| Some((row.time, value(row)?))).collect()
     };
@@ -13,28 +14,24 @@ pub(crate) fn svg(rows: &[Row]) -> Result<String, Failure> {
         quantity,
         curves: vec![("", over_time(&|row| Some(value(row))))],
     };
-    let by_axis = |quantity, values: fn(&Row) -> [Option<f64>; 2]| {
-        let curve = |axis: usize| over_time(&move |row| values(row)[axis]);
-        Plot { quantity, curves: vec![("x", curve(0)), ("y", curve(1))] }
+    let of_axes = |quantity, curve: &dyn Fn(usize) -> Vec<Point>| {
+        let curves = AXES[..axes].iter().enumerate();
+        Plot { quantity, curves: curves.map(|(axis, name)| (*name, curve(axis))).collect() }
     };
     let mut plots = vec![
         along("speed, mm/s", |row| row.speed),
         along("acceleration, mm/s²", |row| row.acceleration),
         along("jerk, mm/s³", |row| row.jerk),
-        by_axis("pulse interval, s", |row| row.intervals),
+        of_axes("pulse interval, s", &|axis| over_time(&|row| row.intervals[axis])),
     ];
     if rows.iter().any(|row| row.following_errors.is_some()) {
         // A block's end between two periods has none.
         let rows: Vec<Row> =
             rows.iter().filter(|row| row.following_errors.is_some()).copied().collect();
-        let curve = |axis: usize| {
+        plots.push(of_axes("following error, mm", &|axis| {
             let errors = rows.iter();
             errors.map(|row| Some((row.time, row.following_errors?[axis]))).collect()
-        };
-        plots.push(Plot {
-            quantity: "following error, mm",
-            curves: vec![("x", curve(0)), ("y", curve(1))],
-        });
+        }));
     }
     plots::svg(&plots, "s")
 }

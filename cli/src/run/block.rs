@@ -1,44 +1,45 @@
 //! One block: the software machine and the circuit side by side, cycle by cycle.
 
 use super::deviation::Deviation;
+use super::interpolated::Interpolated;
 use super::outputs::{Outputs, Pace};
+use super::placed::{Placed, place};
 use crate::failure::Failure;
 use crate::machine::{Refusal, Visitor};
 use onepulse_core::Pulse;
 use onepulse_hwmodel::Circuit;
-use onepulse_plan::{self as plan, Motion};
+use onepulse_plan::Motion;
 
 /// A block on its way: one curve, or the lines of its samples one after the other.
 pub(super) struct BlockRun<'a> {
     motion: &'a Motion,
-    /// What the interpolator's coordinates count from.
-    origin: [i64; 2],
+    interpolated: &'a Interpolated,
     /// How far the machine stands from where the program believes it.
-    short: [i64; 2],
+    short: [i64; 3],
     /// When it began, where speeds are planned.
     since: f64,
     /// That of the last curve begun.
     pace: Option<Pace>,
     outputs: &'a mut Outputs,
-    /// Where the path stands, from the origin.
-    position: [i64; 2],
+    /// Where the path stands, from the interpolator's origin.
+    position: [i64; 3],
     cycles: u64,
-    pulses: [u64; 2],
+    pulses: [u64; 3],
     deviation: Deviation,
     /// The largest distance of the path from the lines of the samples.
     fine: f64,
     disagreement: Option<u64>,
 }
 
-/// What came of a block.
+/// What came of a block; of x, y and z.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BlockResult {
     pub(super) cycles: u64,
-    pub(super) pulses: [u64; 2],
+    pub(super) pulses: [u64; 3],
     pub(super) deviation: f64,
     /// The largest distance of the path from the lines of the samples; 0 if there are none.
     pub(super) fine: f64,
-    pub(super) residual: [i64; 2],
+    pub(super) residual: [i64; 3],
     pub(super) seconds: f64,
     /// The first cycle in which hardware model and software differ.
     pub(super) disagreement: Option<u64>,
@@ -48,24 +49,24 @@ impl<'a> BlockRun<'a> {
     /// Begins a block of which no pulse is made yet, where speeds are planned at the time `since`.
     pub(super) fn begin(
         motion: &'a Motion,
-        short: [i64; 2],
-        deviation: Deviation,
+        interpolated: &'a Interpolated,
+        short: [i64; 3],
         since: f64,
         outputs: &'a mut Outputs,
     ) -> Result<Self, Failure> {
         outputs.begin(motion)?;
-        let origin = origin(motion);
+        let origin = interpolated.origin;
         Ok(Self {
             motion,
-            origin,
+            interpolated,
             short,
             since,
             pace: None,
             outputs,
-            position: [0, 1].map(|axis| i64::from(motion.from[axis]) - origin[axis]),
+            position: [0, 1, 2].map(|axis| i64::from(motion.from[axis]) - origin[axis]),
             cycles: 0,
-            pulses: [0; 2],
-            deviation,
+            pulses: [0; 3],
+            deviation: interpolated.deviation(),
             fine: 0.0,
             disagreement: None,
         })
@@ -84,10 +85,10 @@ impl<'a> BlockRun<'a> {
 
     /// Ends the block.
     pub(super) fn end(self) -> Result<BlockResult, Failure> {
-        let Self { motion, origin, position, cycles, pulses, fine, disagreement, .. } = self;
+        let Self { motion, interpolated, position, cycles, pulses, fine, disagreement, .. } = self;
         self.outputs.end()?;
-        let residual =
-            [0, 1].map(|axis| i64::from(motion.to[axis]) - origin[axis] - position[axis]);
+        let residual = [0, 1, 2]
+            .map(|axis| i64::from(motion.to[axis]) - interpolated.origin[axis] - position[axis]);
         let seconds = match self.pace {
             None => 0.0,
             Some(Pace::Even { cycles_per_second }) => cycles as f64 / cycles_per_second,
@@ -102,7 +103,7 @@ impl<'a> BlockRun<'a> {
 pub(super) struct CurveRun<'r, 'a> {
     pace: Pace,
     block: &'r mut BlockRun<'a>,
-    start: [i64; 2],
+    start: [i64; 3],
     from_line: Option<Deviation>,
 }
 
@@ -119,24 +120,21 @@ impl Visitor for CurveRun<'_, '_> {
         S: Iterator<Item = Pulse<N>>,
         C: Circuit<N>,
     {
-        // A program's curves lie in a plane.
-        if N < 2 {
-            return Err(Failure::Fault("a curve of fewer than two axes".into()));
-        }
         let circuit = circuit().map_err(|why| Failure::Fault(why.to_string()))?;
-        self.run(software, circuit)
+        let plane = self.block.interpolated.plane;
+        self.block.outputs.begin_curve::<C, N>(self.pace, plane);
+        self.run(software.map(move |pulse| place(plane, pulse)), Placed { circuit, plane })
     }
 }
 
 impl CurveRun<'_, '_> {
-    fn run<S, C, const N: usize>(self, mut software: S, mut circuit: C) -> Result<(), Failure>
+    fn run<S, C>(self, mut software: S, mut circuit: C) -> Result<(), Failure>
     where
-        S: Iterator<Item = Pulse<N>>,
-        C: Circuit<N>,
+        S: Iterator<Item = Pulse<3>>,
+        C: Circuit<3>,
     {
-        let Self { pace, block, start, mut from_line } = self;
+        let Self { block, start, mut from_line, .. } = self;
         let before = block.cycles;
-        block.outputs.begin_curve::<C, N>(pace);
         loop {
             let due = match cycle(&mut software, &mut circuit, |c| block.outputs.clock(c)) {
                 Cycle::Sent(due) => due,
@@ -148,9 +146,10 @@ impl CurveRun<'_, '_> {
             };
             block.cycles += 1;
             if !due.is_none() {
-                block.pulse(Pulse([due.0[0], due.0[1]]))?;
+                block.pulse(due)?;
                 if let Some(from_line) = &mut from_line {
-                    from_line.reach([0, 1].map(|axis| block.position[axis] - start[axis]));
+                    let way = [0, 1, 2].map(|axis| block.position[axis] - start[axis]);
+                    from_line.reach(block.interpolated.in_order(way));
                 }
             }
         }
@@ -161,23 +160,15 @@ impl CurveRun<'_, '_> {
 
 impl BlockRun<'_> {
     /// Takes the pulses of the cycle that was counted last.
-    fn pulse(&mut self, pulse: Pulse) -> Result<(), Failure> {
-        for axis in 0..2 {
+    fn pulse(&mut self, pulse: Pulse<3>) -> Result<(), Failure> {
+        for axis in 0..3 {
             self.position[axis] += i64::from(pulse.0[axis]);
             self.pulses[axis] += u64::from(pulse.0[axis].unsigned_abs());
         }
-        self.deviation.reach(self.position);
-        let absolute =
-            [0, 1].map(|axis| self.origin[axis] + self.position[axis] - self.short[axis]);
+        self.deviation.reach(self.interpolated.in_order(self.position));
+        let origin = self.interpolated.origin;
+        let absolute = [0, 1, 2].map(|axis| origin[axis] + self.position[axis] - self.short[axis]);
         self.outputs.pulse(self.cycles, pulse, absolute)
-    }
-}
-
-/// What the coordinates of a motion's interpolator count from.
-pub(super) fn origin(motion: &Motion) -> [i64; 2] {
-    match motion.curve {
-        plan::Curve::Line => motion.from.map(i64::from),
-        plan::Curve::Arc { centre, .. } => centre,
     }
 }
 

@@ -9,6 +9,7 @@
 //! Or the points are those of a planned motion, on the curve itself: then a block's end has a time of its
 //! own, and parts the period; each part is a microsegment of 2ⁿ accumulations in its own time.
 
+use super::interpolated::Interpolated;
 use super::planned::{PlannedBlock, Speeds};
 use super::speed::Speed;
 use super::two_level::TwoLevel;
@@ -32,18 +33,19 @@ pub(super) struct Coarse<'a> {
 /// The line of a sample.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Microsegment {
-    /// Its pulses.
-    pub(super) to: [i32; 2],
+    /// Its pulses along the curve's axes; in a plane the third are none.
+    pub(super) to: [i32; 3],
     /// The motion at its end, where speeds are planned.
     pub(super) record: Option<Row>,
 }
 
-/// The samples of a block, relative to its origin. They count pulses, not millimetres: so start and
+/// The samples of a block, relative to its origin, along its curve's axes; in a plane the third
+/// coordinate is 0. They count pulses, not millimetres: so start and
 /// end are whole numbers, and whether an arc is a full turn is seen as exactly as in the pulse
 /// methods.
 #[derive(Clone, Debug)]
 struct Samples<'a> {
-    start: [f64; 2],
+    start: [f64; 3],
     points: Points<'a>,
     /// The way of a period; the longest, where speeds are planned.
     step: f64,
@@ -54,20 +56,33 @@ struct Samples<'a> {
 #[derive(Clone, Debug)]
 enum Points<'a> {
     Line(Line),
+    SpaceLine(Line<3>),
     Arc(Arc),
-    Planned { records: std::slice::Iter<'a, Row>, origin: [i64; 2], pulse: f64 },
+    Planned {
+        records: std::slice::Iter<'a, Row>,
+        /// The curve's axes: their places among x, y and z.
+        axes: [usize; 3],
+        is_in_space: bool,
+        /// Along these axes.
+        origin: [i64; 3],
+        pulse: f64,
+    },
 }
 
 impl Iterator for Points<'_> {
-    type Item = [f64; 2];
+    type Item = [f64; 3];
 
-    fn next(&mut self) -> Option<[f64; 2]> {
+    fn next(&mut self) -> Option<[f64; 3]> {
+        let in_plane = |[first, second]: [f64; 2]| [first, second, 0.0];
         match self {
-            Self::Line(line) => line.next(),
-            Self::Arc(arc) => arc.next(),
-            Self::Planned { records, origin, pulse } => {
+            Self::Line(line) => line.next().map(in_plane),
+            Self::SpaceLine(line) => line.next(),
+            Self::Arc(arc) => arc.next().map(in_plane),
+            Self::Planned { records, axes, is_in_space, origin, pulse } => {
                 let point = records.next()?.point;
-                Some([0, 1].map(|axis| point[axis] / *pulse - origin[axis] as f64))
+                let counted = |k: usize| point[axes[k]] / *pulse - origin[k] as f64;
+                let across = if *is_in_space { counted(2) } else { 0.0 };
+                Some([counted(0), counted(1), across])
             }
         }
     }
@@ -163,10 +178,9 @@ impl<'a> Coarse<'a> {
         Self::surveyed(samples, &[], report, two_level, widest)
     }
 
-    /// The samples of a block's planned motion, likewise. Its points count from `origin`.
+    /// The samples of a block's planned motion, likewise.
     pub(super) fn planned(
-        curve: &Curve,
-        origin: [i64; 2],
+        block: &Interpolated,
         speed: Speed,
         planned: &PlannedBlock<'a>,
         two_level: &TwoLevel,
@@ -174,12 +188,12 @@ impl<'a> Coarse<'a> {
     ) -> Result<Self, Refusal> {
         let PlannedBlock { records, speeds, reduced, .. } = *planned;
         let pulse = speed.pulse.millimetres();
-        let (start, radius) = match *curve {
+        let (start, radius) = match block.curve {
             Curve::Arc { from, .. } => {
-                let start = from.map(f64::from);
-                (start, Some(start[0].hypot(start[1])))
+                let [x, y] = from.map(f64::from);
+                ([x, y, 0.0], Some(x.hypot(y)))
             }
-            _ => ([0.0; 2], None),
+            _ => ([0.0; 3], None),
         };
         let step_mm = speeds.steady * two_level.period_ms / 1000.0;
         let report = SamplingReport {
@@ -196,7 +210,13 @@ impl<'a> Coarse<'a> {
             rounding: 0.0,
             fine: 0.0,
         };
-        let points = Points::Planned { records: records.iter(), origin, pulse };
+        let points = Points::Planned {
+            records: records.iter(),
+            axes: block.plane.axes(),
+            is_in_space: block.is_in_space(),
+            origin: block.in_order(block.origin),
+            pulse,
+        };
         let samples = Samples { start, points, step: step_mm / pulse, radius };
         Self::surveyed(samples, records, report, two_level, widest)
     }
@@ -249,12 +269,15 @@ impl Samples<'_> {
         two_level: &TwoLevel,
         tolerance: Option<f64>,
     ) -> Result<Self, Refusal> {
-        const PLANE_ONLY: Refusal = Refusal::Method("lines of 2 axes and arcs are sampled");
+        const NOT_SAMPLED: Refusal = Refusal::Method("lines of 2 and 3 axes and arcs are sampled");
         match *curve {
             Curve::Line { ref to } => {
-                let &[x, y] = to.as_slice() else { return Err(PLANE_ONLY) };
-                let points = Points::Line(Line::new([x, y].map(f64::from), asked)?);
-                Ok(Self { start: [0.0; 2], points, step: asked, radius: None })
+                let points = match *to.as_slice() {
+                    [x, y] => Points::Line(Line::new([x, y].map(f64::from), asked)?),
+                    [x, y, z] => Points::SpaceLine(Line::new([x, y, z].map(f64::from), asked)?),
+                    _ => return Err(NOT_SAMPLED),
+                };
+                Ok(Self { start: [0.0; 3], points, step: asked, radius: None })
             }
             Curve::Arc { from, to, direction } => {
                 let [start, end] = [from, to].map(|point| point.map(f64::from));
@@ -265,9 +288,10 @@ impl Samples<'_> {
                     arc = arc.within(tolerance)?;
                 }
                 let (step, radius) = (arc.step(), Some(radius));
+                let start = [start[0], start[1], 0.0];
                 Ok(Self { start, points: Points::Arc(arc), step, radius })
             }
-            Curve::Parabola { .. } | Curve::Helix { .. } => Err(PLANE_ONLY),
+            Curve::Parabola { .. } | Curve::Helix { .. } => Err(NOT_SAMPLED),
         }
     }
 
@@ -278,10 +302,11 @@ impl Samples<'_> {
         let (mut last, mut largest) = (self.start, 0);
         for point in self.points.clone() {
             report.samples += 1;
-            let [x, y] = pulses.to(point).map(i64::unsigned_abs);
-            largest = largest.max(x).max(y);
-            let [x, y] = pulses.position().map(|c| c as f64);
-            report.rounding = report.rounding.max((point[0] - x).hypot(point[1] - y));
+            let [x, y, z] = pulses.to(point).map(i64::unsigned_abs);
+            largest = largest.max(x).max(y).max(z);
+            let [x, y, z] = pulses.position().map(|c| c as f64);
+            let off = (point[0] - x).hypot(point[1] - y).hypot(point[2] - z);
+            report.rounding = report.rounding.max(off);
             if let Some(radius) = self.radius {
                 report.chord_error = report.chord_error.max(sagitta(last, point));
                 let off = (point[0].hypot(point[1]) - radius).abs();
@@ -295,7 +320,8 @@ impl Samples<'_> {
 
 /// What a chord's nearest point to the centre lacks to its end nearer to the centre: the chord error
 /// where both are on one circle, and right too where the end point of an arc is off it.
-fn sagitta(from: [f64; 2], to: [f64; 2]) -> f64 {
+fn sagitta([x, y, _]: [f64; 3], [to_x, to_y, _]: [f64; 3]) -> f64 {
+    let (from, to) = ([x, y], [to_x, to_y]);
     let radius = |[x, y]: [f64; 2]| x.hypot(y);
     let (near, far) = if radius(from) <= radius(to) { (from, to) } else { (to, from) };
     let way = [far[0] - near[0], far[1] - near[1]];
@@ -312,14 +338,14 @@ mod tests {
     #[test]
     fn chords_of_known_points() {
         // The 3-4-5 triangle: from (−3, 4) to (3, 4) the circle of radius 5 is 1 off.
-        assert!((sagitta([-3.0, 4.0], [3.0, 4.0]) - 1.0).abs() < 1e-15);
+        assert!((sagitta([-3.0, 4.0, 0.0], [3.0, 4.0, 0.0]) - 1.0).abs() < 1e-15);
         // The further end further out on the same line, in either order.
-        assert!((sagitta([-3.0, 4.0], [9.0, 4.0]) - 1.0).abs() < 1e-15);
-        assert!((sagitta([9.0, 4.0], [-3.0, 4.0]) - 1.0).abs() < 1e-15);
+        assert!((sagitta([-3.0, 4.0, 0.0], [9.0, 4.0, 0.0]) - 1.0).abs() < 1e-15);
+        assert!((sagitta([9.0, 4.0, 0.0], [-3.0, 4.0, 0.0]) - 1.0).abs() < 1e-15);
         // The nearer end is the nearest point.
-        assert_eq!(sagitta([3.0, 4.0], [9.0, 4.0]), 0.0);
-        assert_eq!(sagitta([3.0, 4.0], [3.0, 4.0]), 0.0);
+        assert_eq!(sagitta([3.0, 4.0, 0.0], [9.0, 4.0, 0.0]), 0.0);
+        assert_eq!(sagitta([3.0, 4.0, 0.0], [3.0, 4.0, 0.0]), 0.0);
         // Through the centre.
-        assert_eq!(sagitta([-1.0, 0.0], [2.0, 0.0]), 1.0);
+        assert_eq!(sagitta([-1.0, 0.0, 0.0], [2.0, 0.0, 0.0]), 1.0);
     }
 }

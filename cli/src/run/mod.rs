@@ -1,34 +1,41 @@
 //! `onepulse run`: a G-code program through software and hardware model.
 
 mod block;
+mod checker;
 mod coarse;
 mod config;
 mod deviation;
+mod interpolated;
 mod motion_signals;
 mod outputs;
 mod picture;
+mod placed;
 mod planned;
 mod report;
 mod speed;
+mod survey;
 mod two_level;
 
 use crate::args::RunArguments;
 use crate::choice::Method;
 use crate::curve::Curve;
 use crate::failure::Failure;
-use crate::machine::{Refusal, SOFTWARE_ONLY, with_machines};
+use crate::machine::{SOFTWARE_ONLY, with_machines};
 use block::BlockRun;
-use coarse::{Coarse, Microsegment};
+use checker::Checker;
+use coarse::Microsegment;
 use config::Config;
 use deviation::Deviation;
 use indicatif::{ProgressBar, ProgressStyle};
+use interpolated::Interpolated;
+use onepulse_plan::Motion;
 use onepulse_plan::gcode::Program;
-use onepulse_plan::{self as plan, Diagnostic, Motion};
 use outputs::{Outputs, Pace};
 use planned::{Plan, PlannedBlock};
 use report::{BlockReport, Summary};
 use std::fs::File;
-use std::io::BufReader;
+use std::io::{self, BufReader, Seek};
+use survey::Survey;
 
 pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let config = Config::load(arguments)?;
@@ -42,42 +49,57 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             _ => SOFTWARE_ONLY.usage(),
         });
     }
-    let open = |error| Failure::file(&arguments.program, &error);
-    let input = File::open(&arguments.program).map_err(open)?;
-    let length = input.metadata().map_err(open)?.len();
-    let bar = progress(length);
-    let mut program = Program::new(BufReader::new(bar.wrap_read(input)), &config.machine);
+    let fault = |error| Failure::file(&arguments.program, &error);
+    let mut input = File::open(&arguments.program).and_then(rewindable).map_err(fault)?;
+    let length = input.metadata().map_err(fault)?.len();
     let wrong = |error| Failure::program(&arguments.program, error);
     let name = arguments.program.display().to_string();
-    let begin = || -> Result<_, Failure> {
-        let outputs = Outputs::create(arguments, &config, &method)?;
-        let (summary, short) = (Summary::default(), [0; 2]);
-        Ok(Run { config: &config, method: &method, name: &name, outputs, summary, short })
+    let checker = Checker { config: &config, method: &method, name: &name };
+    let bar = progress(length);
+    let begin = |survey: Survey| -> Result<_, Failure> {
+        let outputs = Outputs::create(arguments, &config, &method, survey)?;
+        let summary = Summary::new(survey.axes());
+        Ok(Run { checker, survey, outputs, summary, short: [0; 3] })
     };
 
+    // All of the program first: it says which axes move, and is refused before anything is made of it.
+    let mut survey = Survey::default();
     let run = match config.motion {
         None => {
-            let mut run = begin()?;
+            let mut program = Program::new(BufReader::new(&input), &config.machine);
+            while let Some(motion) = program.next() {
+                let motion = motion.map_err(wrong)?;
+                survey.add(&motion);
+                checker.check(&motion, program.text(), None)?;
+            }
+            input.rewind().map_err(fault)?;
+            let mut program = Program::new(BufReader::new(bar.wrap_read(input)), &config.machine);
+            let mut run = begin(survey)?;
             while let Some(motion) = program.next() {
                 run.block(&motion.map_err(wrong)?, program.text(), None)?;
             }
             run
         }
-        // All of the program first: what comes later bounds the speeds before.
+        // And what comes later bounds the speeds before.
         Some(settings) => {
             let (mut motions, mut texts) = (Vec::new(), Vec::new());
+            let mut program = Program::new(BufReader::new(bar.wrap_read(input)), &config.machine);
             while let Some(motion) = program.next() {
-                motions.push(motion.map_err(wrong)?);
+                let motion = motion.map_err(wrong)?;
+                survey.add(&motion);
+                motions.push(motion);
                 texts.push(program.text().to_owned());
             }
             let plan = Plan::new(&motions, &config, settings);
             let plan = plan.map_err(|why| Failure::Fault(format!("{name}: {why}")))?;
-            let mut run = begin()?;
+            let blocks = || motions.iter().zip(&texts).zip(plan.blocks(&motions, &config));
+            for ((motion, text), planned) in blocks() {
+                checker.check(motion, text, Some(&planned))?;
+            }
+            let mut run = begin(survey)?;
             run.outputs.plot(&plan.rows)?;
             run.summary.motion = Some(plan.report());
-            for ((motion, text), planned) in
-                motions.iter().zip(&texts).zip(plan.blocks(&motions, &config))
-            {
+            for ((motion, text), planned) in blocks() {
                 run.block(motion, text, Some(&planned))?;
             }
             run
@@ -94,16 +116,25 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     }
 }
 
+/// A program that can be read twice: the file, or a copy of what comes through a pipe.
+fn rewindable(mut input: File) -> io::Result<File> {
+    if input.rewind().is_ok() {
+        return Ok(input);
+    }
+    let mut copy = tempfile::tempfile()?;
+    io::copy(&mut input, &mut copy)?;
+    copy.rewind()?;
+    Ok(copy)
+}
+
 /// A run under way.
 struct Run<'a> {
-    config: &'a Config,
-    method: &'a Method,
-    /// The program's.
-    name: &'a str,
+    checker: Checker<'a>,
+    survey: Survey,
     outputs: Outputs,
     summary: Summary,
     /// What earlier blocks left short of their end points shifts all later positions.
-    short: [i64; 2],
+    short: [i64; 3],
 }
 
 impl Run<'_> {
@@ -114,39 +145,31 @@ impl Run<'_> {
         text: &str,
         planned: Option<&PlannedBlock<'_>>,
     ) -> Result<(), Failure> {
-        let Self { config, method, .. } = *self;
-        let (curve, deviation) = curve(motion);
+        let Checker { config, method, .. } = self.checker;
+        let refused = |why| self.checker.refused(motion, text, &why);
+        let interpolated = Interpolated::of(motion);
         let speed = config.speed(motion);
-        let file = self.name;
-        let refused = |why: Refusal| {
-            let diagnostic = Box::new(refused_block(motion, text, &why));
-            Failure::Program { file: file.to_owned(), diagnostic }
-        };
-        let coarse = config.two_level.map(|levels| match planned {
-            None => Coarse::new(&curve, speed, &levels, config.bits),
-            Some(planned) => {
-                let origin = block::origin(motion);
-                Coarse::planned(&curve, origin, speed, planned, &levels, config.bits)
-            }
-        });
-        let coarse = coarse.transpose().map_err(refused)?;
+        let coarse = self.checker.coarse(motion, &interpolated, planned).map_err(refused)?;
         let since = planned.map_or(0.0, |planned| planned.since);
-        let mut block = BlockRun::begin(motion, self.short, deviation, since, &mut self.outputs)?;
+        let outputs = &mut self.outputs;
+        let mut block = BlockRun::begin(motion, &interpolated, self.short, since, outputs)?;
         match &coarse {
             None => {
-                let cycles_per_second = speed.cycles_per_second(&curve, method, config.bits);
+                let curve = &interpolated.curve;
+                let cycles_per_second = speed.cycles_per_second(curve, method, config.bits);
                 let run = block.curve(Pace::Even { cycles_per_second }, None);
-                with_machines(&curve, method, Some(config.bits), run).map_err(refused)??;
+                with_machines(curve, method, Some(config.bits), run).map_err(refused)??;
             }
             Some(coarse) => {
                 let (cycles, cycles_per_second) = (coarse.cycles(), coarse.cycles_per_second());
+                let axes = if interpolated.is_in_space() { 3 } else { 2 };
                 for Microsegment { to, record } in coarse.microsegments() {
                     let pace = match record {
                         None => Pace::Even { cycles_per_second },
                         Some(record) => Pace::Until { record, cycles },
                     };
-                    let line = Curve::Line { to: to.to_vec() };
-                    let run = block.curve(pace, Some(Deviation::from_line(to)));
+                    let line = Curve::Line { to: to[..axes].to_vec() };
+                    let run = block.curve(pace, Some(Deviation::from_line(to.map(i64::from))));
                     with_machines(&line, method, Some(coarse.report.bits), run)
                         .map_err(refused)??;
                     if !block.agrees() {
@@ -156,42 +179,12 @@ impl Run<'_> {
             }
         }
         let result = block.end()?;
-        self.short = [0, 1].map(|axis| self.short[axis] + result.residual[axis]);
-        let report = BlockReport::new(motion, method, speed, &result, coarse);
-        let position = [0, 1].map(|axis| i64::from(motion.to[axis]) - self.short[axis]);
+        self.short = [0, 1, 2].map(|axis| self.short[axis] + result.residual[axis]);
+        let axes = self.survey.axes();
+        let report = BlockReport::new(motion, method, speed, &result, coarse, axes);
+        let position = [0, 1, 2].map(|axis| i64::from(motion.to[axis]) - self.short[axis]);
         self.summary.add(&report, position);
         self.outputs.report.block(&report)
-    }
-}
-
-/// The curve as the interpolator sees it, a line from its start, an arc about its centre; and the
-/// deviation of its path.
-fn curve(motion: &Motion) -> (Curve, Deviation) {
-    let Motion { from, to, .. } = *motion;
-    match motion.curve {
-        // Any two points of a program are an i32 apart, and an arc's are from its centre.
-        plan::Curve::Line => {
-            let to = [to[0] - from[0], to[1] - from[1]];
-            (Curve::Line { to: to.to_vec() }, Deviation::from_line(to))
-        }
-        plan::Curve::Arc { centre, direction } => {
-            let seen =
-                |point: [i32; 2]| [0, 1].map(|axis| (i64::from(point[axis]) - centre[axis]) as i32);
-            let (from, to) = (seen(from), seen(to));
-            (Curve::Arc { from, to, direction }, Deviation::from_circle(from))
-        }
-    }
-}
-
-/// A block that the machine's method or registers do not serve.
-fn refused_block(motion: &Motion, text: &str, why: &Refusal) -> Diagnostic {
-    let start = text.len() - text.trim_start().len();
-    Diagnostic {
-        line: motion.line,
-        source: text.to_owned(),
-        span: start..text.trim_end().len().max(start),
-        message: why.to_string(),
-        help: "change the block, or the machine: --method, --bits or machine.toml".into(),
     }
 }
 

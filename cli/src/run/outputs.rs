@@ -4,14 +4,15 @@ use super::config::Config;
 use super::motion_signals::MotionSignals;
 use super::picture::Picture;
 use super::report::{Report, Summary};
+use super::survey::Survey;
 use crate::args::RunArguments;
 use crate::choice::{Method, UpdateName};
 use crate::failure::Failure;
 use crate::motion_settings::MotionSettings;
 use crate::output::{OutputFile, OutputFolder, write_whole};
 use crate::profile::{Row, svg};
-use crate::pulses::write_row;
-use onepulse_core::{Direction, Error, Pulse};
+use crate::pulses::{AXES, write_row};
+use onepulse_core::{Direction, Error, Plane, Pulse};
 use onepulse_hwmodel::trace::{BackgroundWriter, Bench, Kind, SignalList, Tracer, Vcd, gtkw, sucl};
 use onepulse_hwmodel::{self as hw, Circuit};
 use onepulse_plan::Motion;
@@ -22,6 +23,8 @@ use std::ops::Range;
 /// The files of a run.
 #[derive(Debug)]
 pub(super) struct Outputs {
+    /// The axes of all files: two, or with z three.
+    axes: usize,
     pulses: BufWriter<File>,
     pulses_file: OutputFile,
     picture: Picture,
@@ -51,13 +54,15 @@ struct Waves {
     bench: Bench,
     line: usize,
     program_line: u32,
+    /// The axes of the circuit that runs, one of [`PLANES`]; only where z moves.
+    plane: Option<(usize, u64)>,
     /// The sample clock of two levels: 1 in the first clock of a sample.
     sample: Option<usize>,
     motion: Option<MotionSignals>,
     /// The end of what was traced.
     traced_until: u64,
-    /// The first signal of each circuit, by its name.
-    circuits: Vec<(&'static str, usize)>,
+    /// The first signal of each circuit, by its name and axes.
+    circuits: Vec<((&'static str, usize), usize)>,
     /// Clocks of the run so far, and those that are traced.
     run_clocks: u64,
     window: Range<u64>,
@@ -80,11 +85,15 @@ impl Outputs {
         arguments: &RunArguments,
         config: &Config,
         method: &Method,
+        survey: Survey,
     ) -> Result<Self, Failure> {
+        let axes = survey.axes();
         let folder = OutputFolder::open(&arguments.out)?;
         let pulses_file = folder.create("pulses.csv")?;
         let mut pulses = pulses_file.writer()?;
-        let header = pulses.write_all(b"line,cycle,dx,dy,x,y\n");
+        let deltas = AXES[..axes].iter().map(|axis| format!(",d{axis}"));
+        let columns = deltas.chain(AXES[..axes].iter().map(|axis| format!(",{axis}")));
+        let header = writeln!(pulses, "line,cycle{}", columns.collect::<String>());
         header.map_err(|error| pulses_file.failure(&error))?;
         let picture = Picture::begin(folder.create("path.svg")?)?;
         let waves = match arguments.no_waves {
@@ -92,18 +101,19 @@ impl Outputs {
             false => {
                 let RunArguments { from, clocks, .. } = *arguments;
                 let window = (from, clocks.map_or(u64::MAX, |clocks| from.saturating_add(clocks)));
-                Some(Waves::begin(folder.create("waves.vcd")?, config, method, window)?)
+                Some(Waves::begin(folder.create("waves.vcd")?, config, method, survey, window)?)
             }
         };
         let program = arguments.program.display().to_string();
         let report = Report::begin(folder.create("report.json")?, &program, config, method)?;
         let profile = None;
-        Ok(Self { pulses, pulses_file, picture, waves, report, line: 0, profile, folder })
+        Ok(Self { axes, pulses, pulses_file, picture, waves, report, line: 0, profile, folder })
     }
 
     /// Plots a planned motion.
     pub(super) fn plot(&mut self, rows: &[Row]) -> Result<(), Failure> {
-        self.profile = Some(write_whole(&self.folder.path().join("profile.svg"), &svg(rows)?)?);
+        self.profile =
+            Some(write_whole(&self.folder.path().join("profile.svg"), &svg(rows, self.axes)?)?);
         Ok(())
     }
 
@@ -116,8 +126,8 @@ impl Outputs {
         self.picture.begin_block(motion)
     }
 
-    /// Begins a curve of the block, which circuit C makes.
-    pub(super) fn begin_curve<C: Circuit<N>, const N: usize>(&mut self, pace: Pace) {
+    /// Begins a curve of the block, which circuit C makes in a plane or in space.
+    pub(super) fn begin_curve<C: Circuit<N>, const N: usize>(&mut self, pace: Pace, plane: Plane) {
         if let Some(waves) = &mut self.waves {
             waves.clocks = 0;
             waves.pace = pace;
@@ -130,13 +140,16 @@ impl Outputs {
                 }
             };
             waves.clocks_per_second = cycles_per_second * C::CLOCKS_PER_CYCLE as f64;
-            let known = waves.circuits.iter().find(|(name, _)| *name == C::NAME);
+            let known = waves.circuits.iter().find(|(name, _)| *name == (C::NAME, N));
             waves.first = known.map_or(0, |(_, first)| *first);
+            if let Some((_, axes)) = &mut waves.plane {
+                *axes = if N > 2 { IN_SPACE } else { plane as u64 };
+            }
         }
     }
 
     /// Gives the circuit a clock.
-    pub(super) fn clock<C: Circuit<N>, const N: usize>(&mut self, circuit: &mut C) -> Pulse<N> {
+    pub(super) fn clock<C: Circuit<3>>(&mut self, circuit: &mut C) -> Pulse<3> {
         match &mut self.waves {
             Some(waves) => waves.clock(circuit),
             None => circuit.clock(),
@@ -147,19 +160,23 @@ impl Outputs {
     pub(super) fn pulse(
         &mut self,
         cycle: u64,
-        pulse: Pulse,
-        position: [i64; 2],
+        pulse: Pulse<3>,
+        position: [i64; 3],
     ) -> Result<(), Failure> {
         let mut digits = itoa::Buffer::new();
         let line = self.pulses.write_all(digits.format(self.line).as_bytes());
+        let ([dx, dy, _], [x, y, _]) = (pulse.0, position);
         line.and_then(|()| self.pulses.write_all(b","))
-            .and_then(|()| write_row(&mut self.pulses, cycle, pulse, position))
+            .and_then(|()| match self.axes {
+                2 => write_row(&mut self.pulses, cycle, Pulse([dx, dy]), [x, y]),
+                _ => write_row(&mut self.pulses, cycle, pulse, position),
+            })
             .map_err(|error| self.pulses_file.failure(&error))?;
         self.picture.pulse(pulse)
     }
 
     /// Ends the curve, which took so many cycles.
-    pub(super) fn end_curve<C: Circuit<N>, const N: usize>(
+    pub(super) fn end_curve<C: Circuit<3>>(
         &mut self,
         cycles: u64,
         circuit: &C,
@@ -226,14 +243,17 @@ impl Waves {
         file: OutputFile,
         config: &Config,
         method: &Method,
+        survey: Survey,
         window: (u64, u64),
     ) -> Result<Self, Failure> {
         let mut list = SignalList::new();
-        let bench = Bench::declare(&mut list, &[0, 0]);
+        let axes = survey.axes();
+        let bench = Bench::declare(&mut list, &[0; 3][..axes]);
         let line = list.add("program_line", Kind::Unsigned(32));
+        let plane = (axes > 2).then(|| (list.add("plane", Kind::Word(&PLANES)), 0));
         let sample = config.two_level.map(|_| list.add("sample", Kind::Bit));
-        let motion = config.motion.map(|motion| MotionSignals::declare(&mut list, &motion));
-        let circuits = declare_circuits(&mut list, config, method)
+        let motion = config.motion.map(|motion| MotionSignals::declare(&mut list, &motion, axes));
+        let circuits = declare_circuits(&mut list, config, method, survey)
             .map_err(|why| Failure::Usage(format!("--bits {}: {why}", config.bits)))?;
         let writer = file.background_writer()?;
         let vcd = Vcd::new(writer, &list, EXPONENT).map_err(|error| file.failure(&error))?;
@@ -244,6 +264,7 @@ impl Waves {
             bench,
             line,
             program_line: 0,
+            plane,
             sample,
             motion,
             traced_until: 0,
@@ -265,7 +286,7 @@ impl Waves {
         self.start.saturating_add(((seconds * TICKS_PER_SECOND) as u64).max(half_periods))
     }
 
-    fn clock<C: Circuit<N>, const N: usize>(&mut self, circuit: &mut C) -> Pulse<N> {
+    fn clock<C: Circuit<3>>(&mut self, circuit: &mut C) -> Pulse<3> {
         let (rise, fall) = (self.edge(2 * self.clocks), self.edge(2 * self.clocks + 1));
         let is_traced = self.window.contains(&self.run_clocks);
         let is_first = self.clocks == 0;
@@ -275,6 +296,9 @@ impl Waves {
             self.traced_until = fall;
             self.tracer.at(rise);
             self.tracer.set(self.line, u64::from(self.program_line));
+            if let Some((signal, axes)) = self.plane {
+                self.tracer.set(signal, axes);
+            }
             if let Some(sample) = self.sample {
                 self.tracer.set(sample, u64::from(is_first));
             }
@@ -288,22 +312,35 @@ impl Waves {
     }
 }
 
+/// The axes of a circuit, in its order: those of a [`Plane`], or all.
+static PLANES: [&str; 4] = ["xy", "zx", "yz", "xyz"];
+const IN_SPACE: u64 = 3;
+
 /// The tick of the time axis at a time in seconds.
 fn ticks(seconds: f64) -> u64 {
     (seconds * TICKS_PER_SECOND).round() as u64
 }
 
-/// The circuits that the method needs, loaded with the smallest curves there are.
+/// The circuits that the method needs, loaded with the smallest curves there are: those of a plane, and that of
+/// lines in space if the program has any.
 fn declare_circuits(
     list: &mut SignalList,
     config: &Config,
     method: &Method,
-) -> Result<Vec<(&'static str, usize)>, Error> {
-    fn add<C: Circuit<2>>(list: &mut SignalList, circuit: &C) -> (&'static str, usize) {
-        (C::NAME, list.add_circuit(circuit))
+    survey: Survey,
+) -> Result<Vec<((&'static str, usize), usize)>, Error> {
+    fn add<C: Circuit<2>>(list: &mut SignalList, circuit: &C) -> ((&'static str, usize), usize) {
+        ((C::NAME, 2), list.add_circuit(circuit))
+    }
+    fn add_in_space<C: Circuit<3>>(
+        list: &mut SignalList,
+        scope: &'static str,
+        circuit: &C,
+    ) -> ((&'static str, usize), usize) {
+        ((C::NAME, 3), list.add_circuit_in(scope, circuit))
     }
     let (x, y, direction, bits) = ([1, 0], [0, 1], Direction::Ccw, config.bits);
-    Ok(match *method {
+    let mut circuits = match *method {
         Method::Ppc { end_rule } => vec![
             add(list, &hw::ppc::Line::new(x, bits, end_rule)?),
             add(list, &hw::ppc::Arc::new(x, y, direction, bits, end_rule)?),
@@ -311,19 +348,18 @@ fn declare_circuits(
         Method::Dda { preset, normalize, update, .. } => {
             let preset = preset.unwrap_or_default();
             let line = add(list, &hw::dda::Line::new(x, bits, preset, normalize)?);
-            if config.two_level.is_some() {
+            match update {
                 // Of arcs too it makes lines.
-                return Ok(vec![line]);
-            }
-            let arc = match update {
+                _ if config.two_level.is_some() => vec![line],
                 UpdateName::Staggered => {
-                    add(list, &hw::dda::CentredArc::new(x, y, direction, bits, normalize)?)
+                    let arc = hw::dda::CentredArc::new(x, y, direction, bits, normalize)?;
+                    vec![line, add(list, &arc)]
                 }
                 UpdateName::Simultaneous => {
-                    add(list, &hw::dda::Arc::new(x, y, direction, bits, preset, normalize)?)
+                    let arc = hw::dda::Arc::new(x, y, direction, bits, preset, normalize)?;
+                    vec![line, add(list, &arc)]
                 }
-            };
-            vec![line, arc]
+            }
         }
         Method::Brm { .. } => vec![add(list, &hw::brm::Line::new(x, bits)?)],
         Method::MinDeviation => vec![
@@ -336,5 +372,25 @@ fn declare_circuits(
         ],
         // A run by it is refused before.
         Method::Vector => Vec::new(),
-    })
+    };
+    if survey.has_lines_in_space {
+        let z = [0, 0, 1];
+        match *method {
+            Method::Dda { preset, normalize, .. } => {
+                let line = hw::dda::Line::new(z, bits, preset.unwrap_or_default(), normalize)?;
+                circuits.push(add_in_space(list, "dda_line_xyz", &line));
+            }
+            Method::Brm { .. } => {
+                let line = hw::brm::Line::new(z, bits)?;
+                circuits.push(add_in_space(list, "brm_line_xyz", &line));
+            }
+            Method::MinDeviation => {
+                let line = hw::minimum_deviation::Line::new(z, bits)?;
+                circuits.push(add_in_space(list, "minimum_deviation_line_xyz", &line));
+            }
+            // These have none: such a program is refused before.
+            Method::Ppc { .. } | Method::Vector | Method::CompareIntegral => {}
+        }
+    }
+    Ok(circuits)
 }

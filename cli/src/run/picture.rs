@@ -1,9 +1,11 @@
-//! `path.svg`: the programmed curves and the staircase of pulses over them.
+//! `path.svg`: the programmed curves and the staircase of pulses over them, seen from the positive end of z:
+//! of a motion in space, its projection on the XY plane.
 
 use crate::failure::Failure;
 use crate::output::OutputFile;
-use onepulse_core::{Direction, Pulse};
+use onepulse_core::{Direction, Plane, Pulse};
 use onepulse_plan::{Curve, Motion, Rate};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::fs::File;
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 
@@ -51,16 +53,19 @@ impl Picture {
 
     /// Draws the curve of a block, and begins its staircase.
     pub(super) fn begin_block(&mut self, motion: &Motion) -> Result<(), Failure> {
-        self.position = motion.from.map(i64::from);
+        let [[x, y], [xe, ye]] = motion.ends_in(Plane::Xy);
+        self.position = [x.into(), y.into()];
         self.include(self.position);
         let class = match motion.rate {
             Rate::Rapid => "r",
             Rate::Feed(_) => "f",
         };
-        let [x, y] = motion.from;
         let d = match motion.curve {
-            Curve::Line => format!("M{x} {y}L{} {}", motion.to[0], motion.to[1]),
-            Curve::Arc { centre, direction } => arc(motion, centre, direction),
+            Curve::Line => format!("M{x} {y}L{xe} {ye}"),
+            Curve::Arc { plane: Plane::Xy, centre, direction } => arc(motion, centre, direction),
+            Curve::Arc { plane, centre, direction } => {
+                arc_from_the_side(motion, plane, centre, direction)
+            }
         };
         let steps = if self.corners_left > 0 {
             format!("<path class=\"s\" d=\"M{x} {y}")
@@ -71,8 +76,12 @@ impl Picture {
         self.check(written)
     }
 
-    /// Takes a step.
-    pub(super) fn pulse(&mut self, Pulse(pulse): Pulse) -> Result<(), Failure> {
+    /// Takes a step, of which z does not show.
+    pub(super) fn pulse(&mut self, Pulse([x, y, _]): Pulse<3>) -> Result<(), Failure> {
+        let pulse = [x, y];
+        if pulse == [0, 0] {
+            return Ok(());
+        }
         for axis in 0..2 {
             self.position[axis] += i64::from(pulse[axis]);
         }
@@ -150,12 +159,13 @@ impl Picture {
 /// The path of an arc: a full circle as two halves, as SVG cannot draw it in one.
 fn arc(motion: &Motion, centre: [i64; 2], direction: Direction) -> String {
     let seen = |point: [i32; 2]| [0, 1].map(|axis| (i64::from(point[axis]) - centre[axis]) as f64);
-    let (start, end) = (seen(motion.from), seen(motion.to));
+    let ends = motion.ends_in(Plane::Xy);
+    let [start, end] = ends.map(seen);
     let radius = start[0].hypot(start[1]);
     let sense = u8::from(direction == Direction::Ccw);
-    let ([x, y], [xe, ye]) = (motion.from, motion.to);
-    if motion.from == motion.to {
-        let across = [0, 1].map(|axis| 2 * centre[axis] - i64::from(motion.from[axis]));
+    let [[x, y], [xe, ye]] = ends;
+    if [x, y] == [xe, ye] {
+        let across = [2 * centre[0] - i64::from(x), 2 * centre[1] - i64::from(y)];
         return format!(
             "M{x} {y}A{radius:.3} {radius:.3} 0 0 {sense} {} {}A{radius:.3} {radius:.3} 0 0 {sense} {xe} {ye}",
             across[0], across[1]
@@ -164,4 +174,65 @@ fn arc(motion: &Motion, centre: [i64; 2], direction: Direction) -> String {
     let turn = start[0] * end[1] - start[1] * end[0];
     let is_long = if direction == Direction::Ccw { turn < 0.0 } else { turn > 0.0 };
     format!("M{x} {y}A{radius:.3} {radius:.3} 0 {} {sense} {xe} {ye}", u8::from(is_long))
+}
+
+/// The path of an arc in the ZX or YZ plane, which is seen as a straight one: forth and back between its ends
+/// and those of the two points furthest out that it passes.
+fn arc_from_the_side(
+    motion: &Motion,
+    plane: Plane,
+    centre: [i64; 2],
+    direction: Direction,
+) -> String {
+    let [start, end] = motion.ends_in(plane);
+    let angle = |point: [i32; 2]| {
+        let [first, second] = [0, 1].map(|axis| (i64::from(point[axis]) - centre[axis]) as f64);
+        second.atan2(first)
+    };
+    let radius = [0, 1].map(|axis| (i64::from(start[axis]) - centre[axis]) as f64);
+    let radius = radius[0].hypot(radius[1]);
+    // The way to an angle, from 0 to a full turn.
+    let turn = if direction == Direction::Ccw { 1.0 } else { -1.0 };
+    let ahead = |to: f64| ((to - angle(start)) * turn).rem_euclid(TAU);
+    let sweep = if start == end { TAU } else { ahead(angle(end)) };
+    // The one axis of the plane that shows, and the angles at which it is largest and smallest.
+    let (shown, largest) = if plane == Plane::Yz { (0, 0.0) } else { (1, FRAC_PI_2) };
+    let furthest = [(largest, radius), (largest + PI, -radius)];
+    let mut passed = furthest.map(|(angle, off)| (ahead(angle), centre[shown] as f64 + off));
+    passed.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let [[x, y], [xe, ye]] = motion.ends_in(Plane::Xy);
+    let mut path = format!("M{x} {y}");
+    for (_, at) in passed.into_iter().filter(|(way, _)| *way < sweep) {
+        // Either X and Z or Y and Z move.
+        path += &if plane == Plane::Yz { format!("L{x} {at:.3}") } else { format!("L{at:.3} {y}") };
+    }
+    path + &format!("L{xe} {ye}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn drawn(from: [i32; 3], to: [i32; 3], plane: Plane, centre: [i64; 2], is_ccw: bool) -> String {
+        let direction = if is_ccw { Direction::Ccw } else { Direction::Cw };
+        let curve = Curve::Arc { plane, centre, direction };
+        let motion = Motion { line: 1, from, to, curve, rate: Rate::Rapid };
+        arc_from_the_side(&motion, plane, centre, direction)
+    }
+
+    #[test]
+    fn arcs_from_the_side_go_as_far_as_they_bulge() {
+        // In ZX about (0, 0), y = 7: z first, so counter-clockwise goes from z to x.
+        let quarter = drawn([0, 7, 5], [5, 7, 0], Plane::Zx, [0, 0], true);
+        assert_eq!(quarter, "M0 7L5 7");
+        let three_quarters = drawn([0, 7, 5], [5, 7, 0], Plane::Zx, [0, 0], false);
+        assert_eq!(three_quarters, "M0 7L-5.000 7L5 7");
+        let half = drawn([3, 7, -4], [3, 7, 4], Plane::Zx, [0, 0], false);
+        assert_eq!(half, "M3 7L5.000 7L3 7");
+        // In YZ, x = 7: a full circle about y = 10, and from its right half a turn over the top.
+        let turn = drawn([7, 13, 4], [7, 13, 4], Plane::Yz, [10, 0], true);
+        assert_eq!(turn, "M7 13L7 5.000L7 15.000L7 13");
+        let over = drawn([7, 14, 3], [7, 6, -3], Plane::Yz, [10, 0], true);
+        assert_eq!(over, "M7 14L7 5.000L7 6");
+    }
 }

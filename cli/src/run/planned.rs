@@ -14,6 +14,7 @@ use serde::Serialize;
 #[derive(Debug)]
 pub(super) struct Plan {
     pub(super) rows: Vec<Row>,
+    axes: usize,
     profiles: Vec<Profile>,
     settings: MotionSettings,
     tolerance_mm: Option<f64>,
@@ -87,7 +88,8 @@ impl Plan {
                  make them longer"
             ));
         }
-        Ok(Self { rows: rows.collect(), profiles, settings, tolerance_mm })
+        let axes = rows.axes();
+        Ok(Self { rows: rows.collect(), axes, profiles, settings, tolerance_mm })
     }
 
     /// The part of each block; these are the motions that were planned.
@@ -104,8 +106,9 @@ impl Plan {
             let commanded = config.speed(motion).millimetres_per_minute() / 60.0;
             let radius = match motion.curve {
                 Curve::Line => None,
-                Curve::Arc { centre, .. } => {
-                    let [x, y] = [0, 1].map(|axis| i64::from(motion.from[axis]) - centre[axis]);
+                Curve::Arc { plane, centre, .. } => {
+                    let [from, _] = motion.ends_in(plane);
+                    let [x, y] = [0, 1].map(|axis| i64::from(from[axis]) - centre[axis]);
                     Some((x as f64).hypot(y as f64) * pulse)
                 }
             };
@@ -140,7 +143,7 @@ impl Plan {
             duration_s: self.rows.iter().rfind(|row| row.is_block_end).map_or(0.0, |row| row.time),
             servo: servo.map(|axis| ServoReport {
                 gain_per_s: axis.settings().gain,
-                largest_following_error_mm: PerAxis { x: error(0), y: error(1) },
+                largest_following_error_mm: PerAxis::of([0, 1, 2].map(error), self.axes),
             }),
         }
     }

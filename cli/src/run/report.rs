@@ -9,6 +9,7 @@ use super::two_level::TwoLevel;
 use crate::choice::{Method, UpdateName};
 use crate::failure::Failure;
 use crate::output::OutputFile;
+use crate::pulses::AXES;
 use onepulse_core::Direction;
 use onepulse_plan::{Curve, Motion, Rate};
 use serde::Serialize;
@@ -41,15 +42,29 @@ pub(super) struct BlockReport {
     sampling: Option<SamplingReport>,
 }
 
-#[derive(Clone, Copy, Debug, Default, Serialize)]
+/// A value for each axis that the program moves.
+#[derive(Clone, Copy, Debug, Serialize)]
 pub(super) struct PerAxis<T> {
-    pub(super) x: T,
-    pub(super) y: T,
+    x: T,
+    y: T,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    z: Option<T>,
 }
 
-impl<T> From<[T; 2]> for PerAxis<T> {
-    fn from([x, y]: [T; 2]) -> Self {
-        Self { x, y }
+impl<T> PerAxis<T> {
+    /// The values of the first axes, so many.
+    pub(super) fn of([x, y, z]: [T; 3], axes: usize) -> Self {
+        Self { x, y, z: (axes > 2).then_some(z) }
+    }
+
+    /// One after the other.
+    fn values(self) -> impl Iterator<Item = T> {
+        [Some(self.x), Some(self.y), self.z].into_iter().flatten()
+    }
+
+    /// All as text, with something between.
+    fn joined(self, between: &str, text: impl FnMut(T) -> String) -> String {
+        self.values().map(text).collect::<Vec<_>>().join(between)
     }
 }
 
@@ -60,6 +75,7 @@ impl BlockReport {
         speed: Speed,
         run: &BlockResult,
         coarse: Option<Coarse<'_>>,
+        axes: usize,
     ) -> Self {
         let curve = match (motion.curve, motion.rate) {
             (Curve::Line, Rate::Rapid) => "rapid",
@@ -83,10 +99,10 @@ impl BlockReport {
             method,
             feed_mm_per_min: speed.millimetres_per_minute(),
             cycles: run.cycles,
-            pulses: run.pulses.into(),
+            pulses: PerAxis::of(run.pulses, axes),
             largest_deviation: run.deviation,
-            endpoint_exact: run.residual == [0, 0],
-            residual: run.residual.into(),
+            endpoint_exact: run.residual == [0; 3],
+            residual: PerAxis::of(run.residual, axes),
             duration_s: run.seconds,
             hardware_agrees: run.disagreement.is_none(),
             disagrees_at_cycle: run.disagreement,
@@ -147,18 +163,22 @@ impl Report {
         config: &Config,
     ) -> Result<OutputFile, Failure> {
         let pulse = config.machine.pulse.millimetres();
-        let [x, y] = summary.position;
         let totals = serde_json::json!({
             "blocks": summary.blocks,
             "cycles": summary.cycles,
-            "pulses": PerAxis::from(summary.pulses),
+            "pulses": PerAxis::of(summary.pulses, summary.axes),
             "largest_deviation": summary.deviation,
             "endpoints_exact": summary.endpoints_exact,
             "duration_s": summary.seconds,
         });
-        let position = serde_json::json!({
-            "x": x, "y": y, "x_mm": x as f64 * pulse, "y_mm": y as f64 * pulse,
-        });
+        let mut position = serde_json::json!({});
+        let axes = AXES[..summary.axes].iter().zip(summary.position);
+        for (axis, pulses) in axes.clone() {
+            position[*axis] = pulses.into();
+        }
+        for (axis, pulses) in axes {
+            position[format!("{axis}_mm")] = (pulses as f64 * pulse).into();
+        }
         let written =
             write!(self.out, "\n],\n\"totals\": {totals},\n\"final_position\": {position},\n");
         let written = written.and_then(|()| match &summary.motion {
@@ -182,13 +202,15 @@ impl Report {
 /// The whole run.
 #[derive(Debug)]
 pub(super) struct Summary {
+    /// Those that the program moves: two, or with z three.
+    axes: usize,
     blocks: u64,
     cycles: u64,
-    pulses: [u64; 2],
+    pulses: [u64; 3],
     deviation: f64,
     endpoints_exact: bool,
     seconds: f64,
-    position: [i64; 2],
+    position: [i64; 3],
     pub(super) agrees: bool,
     /// The samples of the block with the largest deviation, and its line.
     worst: Option<(u32, SamplingReport)>,
@@ -202,16 +224,18 @@ pub(super) struct Summary {
 /// Blocks that the summary shows one by one.
 const SHOWN: usize = 40;
 
-impl Default for Summary {
-    fn default() -> Self {
+impl Summary {
+    /// Of a run in which nothing has moved yet.
+    pub(super) const fn new(axes: usize) -> Self {
         Self {
+            axes,
             blocks: 0,
             cycles: 0,
-            pulses: [0; 2],
+            pulses: [0; 3],
             deviation: 0.0,
             endpoints_exact: true,
             seconds: 0.0,
-            position: [0; 2],
+            position: [0; 3],
             agrees: true,
             worst: None,
             samples: 0,
@@ -219,15 +243,14 @@ impl Default for Summary {
             shown: Vec::new(),
         }
     }
-}
 
-impl Summary {
     /// Adds a block that ended in `position`.
-    pub(super) fn add(&mut self, block: &BlockReport, position: [i64; 2]) {
+    pub(super) fn add(&mut self, block: &BlockReport, position: [i64; 3]) {
         self.blocks += 1;
         self.cycles += block.cycles;
-        self.pulses[0] += block.pulses.x;
-        self.pulses[1] += block.pulses.y;
+        for (sum, pulses) in self.pulses.iter_mut().zip(block.pulses.values()) {
+            *sum += pulses;
+        }
         if let Some(sampling) = &block.sampling {
             self.samples += sampling.samples;
             if self.worst.is_none() || block.largest_deviation > self.deviation {
@@ -270,24 +293,34 @@ impl Summary {
         writeln!(out, "{program}: pulse equivalent {pulse} mm, {registers}\n")?;
         writeln!(
             out,
-            "{:>6}  {:8}  {:16}  {:>10}  {:>8}  {:>8}  {:>9}  {:>9}  {:>9}",
-            "line", "curve", "method", "cycles", "x pulses", "y pulses", "deviation", "end", "time"
+            "{:>6}  {:8}  {:16}  {:>10}  {}  {:>9}  {:>9}  {:>9}",
+            "line",
+            "curve",
+            "method",
+            "cycles",
+            AXES[..self.axes]
+                .iter()
+                .map(|axis| format!("{axis} pulses"))
+                .collect::<Vec<_>>()
+                .join("  "),
+            "deviation",
+            "end",
+            "time"
         )?;
         for block in &self.shown {
             let end = if block.endpoint_exact {
                 "exact".to_owned()
             } else {
-                format!("{},{}", block.residual.x, block.residual.y)
+                block.residual.joined(",", |missing| missing.to_string())
             };
             writeln!(
                 out,
-                "{:>6}  {:8}  {:16}  {:>10}  {:>8}  {:>8}  {:>9.4}  {end:>9}  {:>7.3} s",
+                "{:>6}  {:8}  {:16}  {:>10}  {}  {:>9.4}  {end:>9}  {:>7.3} s",
                 block.line,
                 block.curve,
                 block.method,
                 block.cycles,
-                block.pulses.x,
-                block.pulses.y,
+                block.pulses.joined("  ", |pulses| format!("{pulses:>8}")),
                 block.largest_deviation,
                 block.duration_s
             )?;
@@ -295,11 +328,14 @@ impl Summary {
         if self.blocks > self.shown.len() as u64 {
             writeln!(out, "   ...  {} more in report.json", self.blocks - self.shown.len() as u64)?;
         }
-        let [x, y] = self.position;
         writeln!(
             out,
-            "\n{} blocks, {} cycles, {} + {} pulses, {:.3} s; final position {x},{y}",
-            self.blocks, self.cycles, self.pulses[0], self.pulses[1], self.seconds
+            "\n{} blocks, {} cycles, {} pulses, {:.3} s; final position {}",
+            self.blocks,
+            self.cycles,
+            PerAxis::of(self.pulses, self.axes).joined(" + ", |pulses| pulses.to_string()),
+            self.seconds,
+            PerAxis::of(self.position, self.axes).joined(",", |c| c.to_string())
         )?;
         write!(out, "largest deviation {:.4} pulses", self.deviation)?;
         match &self.worst {
@@ -358,13 +394,12 @@ impl Summary {
             Some(jerk) => writeln!(out, ", {jerk:.3} mm/s³")?,
             None => writeln!(out)?,
         }
-        if let Some(ServoReport { gain_per_s, largest_following_error_mm: PerAxis { x, y } }) =
-            servo
-        {
-            writeln!(
-                out,
-                "largest following errors {x:.4} mm in x, {y:.4} mm in y; K_v is {gain_per_s}/s"
-            )?;
+        if let Some(ServoReport { gain_per_s, largest_following_error_mm }) = servo {
+            let errors = AXES.iter().zip(largest_following_error_mm.values());
+            let errors: Vec<_> =
+                errors.map(|(axis, error)| format!("{error:.4} mm in {axis}")).collect();
+            let errors = errors.join(", ");
+            writeln!(out, "largest following errors {errors}; K_v is {gain_per_s}/s")?;
         }
         Ok(())
     }

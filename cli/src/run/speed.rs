@@ -52,11 +52,19 @@ impl Speed {
 
 /// Q of a line; 0 where the machine will be refused anyway.
 fn line_shift(to: &[i32], method: &Method, bits: u32) -> u32 {
-    let (Method::Dda { normalize, .. }, &[x, y]) = (method, to) else {
+    let Method::Dda { normalize, .. } = *method else {
         return 0;
     };
+    match *to {
+        [x, y] => shift([x, y], normalize, bits),
+        [x, y, z] => shift([x, y, z], normalize, bits),
+        _ => 0,
+    }
+}
+
+fn shift<const AXES: usize>(to: [i32; AXES], normalize: bool, bits: u32) -> u32 {
     let register = Register::new(Radix::Binary, bits);
-    let line = register.and_then(|r| Line::new([x, y], r, dda::Preset::Zero, *normalize));
+    let line = register.and_then(|r| Line::new(to, r, dda::Preset::Zero, normalize));
     line.map_or(0, |line| line.shift())
 }
 

@@ -69,8 +69,17 @@ impl SignalList {
 
     /// Adds the signals of a circuit, in a scope of its name; the number of the first one.
     pub fn add_circuit<C: Circuit<AXES>, const AXES: usize>(&mut self, circuit: &C) -> usize {
+        self.add_circuit_in(C::NAME, circuit)
+    }
+
+    /// Likewise, in a scope of this name: for a second circuit of one name, as with more axes.
+    pub fn add_circuit_in<C: Circuit<AXES>, const AXES: usize>(
+        &mut self,
+        scope: &'static str,
+        circuit: &C,
+    ) -> usize {
         let first = self.signals.len();
-        self.scope(C::NAME);
+        self.scope(scope);
         circuit.probe(self);
         first
     }

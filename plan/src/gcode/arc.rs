@@ -4,7 +4,7 @@ use super::centre::{self, NoCentre};
 use super::modes::too_far;
 use super::word::Fault;
 use crate::{Curve, Length};
-use onepulse_core::{Direction, Sweep};
+use onepulse_core::{Direction, Plane, Sweep};
 use std::ops::Range;
 
 /// Where the centre of an arc is, and which of the two ways round it goes.
@@ -118,7 +118,7 @@ impl ProgrammedArc {
         Sweep::new(start, end, direction).map_err(|why| {
             Fault::new(span.clone(), why.to_string(), "take a coarser pulse equivalent")
         })?;
-        let arc = Curve::Arc { centre, direction };
+        let arc = Curve::Arc { plane: Plane::Xy, centre, direction };
         let runs_long = is_long_way(start.map(i128::from), end.map(i128::from), direction);
         let is_near = (0..2).all(|axis| start[axis].abs_diff(end[axis]) <= 4);
         Ok(match (is_long, runs_long) {

@@ -66,6 +66,7 @@ impl Modes {
         let ends = [self.pulses(from, &block.span)?, self.pulses(to, &block.span)?];
         let mut push = |[from, to]: [[i32; 2]; 2], curve| {
             if curve != Curve::Line || from != to {
+                let [from, to] = [from, to].map(|[x, y]| [x, y, 0]);
                 motions.push_back(Motion { line, from, to, curve, rate });
             }
         };

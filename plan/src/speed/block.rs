@@ -8,8 +8,8 @@ use crate::{Machine, Motion, Rate};
 pub struct Block {
     length: f64,
     steady: f64,
-    start_direction: [f64; 2],
-    end_direction: [f64; 2],
+    start_direction: [f64; 3],
+    end_direction: [f64; 3],
 }
 
 impl Block {
@@ -22,12 +22,12 @@ impl Block {
     pub fn new(
         length: f64,
         steady: f64,
-        start_direction: [f64; 2],
-        end_direction: [f64; 2],
+        start_direction: [f64; 3],
+        end_direction: [f64; 3],
     ) -> Result<Self, SpeedError> {
         let length = SpeedError::in_range(Quantity::Length, length)?;
         let steady = SpeedError::in_range(Quantity::SteadySpeed, steady)?;
-        let is_unit = |[x, y]: [f64; 2]| (x.hypot(y) - 1.0).abs() <= 1e-9;
+        let is_unit = |[x, y, z]: [f64; 3]| (x.hypot(y).hypot(z) - 1.0).abs() <= 1e-9;
         if !is_unit(start_direction) || !is_unit(end_direction) {
             return Err(SpeedError::NoDirection);
         }
@@ -77,18 +77,18 @@ impl Block {
 mod tests {
     use super::*;
     use crate::Curve;
-    use onepulse_core::Direction;
+    use onepulse_core::{Direction, Plane};
 
     #[test]
     fn the_steady_speed_is_the_feed_or_what_the_circle_allows() {
         let machine = Machine::with_pulse("0.01".parse().unwrap());
         let limits = Limits::new(1000.0, None, 1.0, 500.0).unwrap();
         let steady = |curve, rate| {
-            let motion = Motion { line: 1, from: [500, 0], to: [0, 500], curve, rate };
+            let motion = Motion { line: 1, from: [500, 0, 0], to: [0, 500, 0], curve, rate };
             Block::of(&motion, &machine, &limits).unwrap().steady()
         };
         let feed = |text: &str| Rate::Feed(text.parse().unwrap());
-        let arc = Curve::Arc { centre: [0, 0], direction: Direction::Ccw };
+        let arc = Curve::Arc { plane: Plane::Xy, centre: [0, 0], direction: Direction::Ccw };
         assert_eq!(steady(Curve::Line, feed("1500")), 25.0);
         assert_eq!(steady(Curve::Line, Rate::Rapid), 50.0);
         assert_eq!(steady(arc, feed("1500")), 25.0);
@@ -98,13 +98,19 @@ mod tests {
 
     #[test]
     fn what_is_no_block_is_refused() {
-        let along = [1.0, 0.0];
+        let along = [1.0, 0.0, 0.0];
         let refused = |quantity, value| Err(SpeedError::OutOfRange { quantity, value });
         assert_eq!(Block::new(0.0, 1.0, along, along), refused(Quantity::Length, 0.0));
         assert_eq!(Block::new(1.0, -1.0, along, along), refused(Quantity::SteadySpeed, -1.0));
         assert!(Block::new(f64::NAN, 1.0, along, along).is_err());
         assert!(Block::new(1.0, f64::INFINITY, along, along).is_err());
-        for wrong in [[0.0, 0.0], [1.0, 0.1], [f64::NAN, 0.0], [f64::INFINITY, 0.0]] {
+        for wrong in [
+            [0.0; 3],
+            [1.0, 0.0, 0.1],
+            [1.0, 0.1, 0.0],
+            [0.0, f64::NAN, 0.0],
+            [0.0, 0.0, f64::INFINITY],
+        ] {
             assert_eq!(Block::new(1.0, 1.0, wrong, along), Err(SpeedError::NoDirection));
             assert_eq!(Block::new(1.0, 1.0, along, wrong), Err(SpeedError::NoDirection));
         }
@@ -112,7 +118,7 @@ mod tests {
         let machine = Machine::with_pulse("0.01".parse().unwrap());
         let limits = Limits::new(1000.0, None, 1.0, 500.0).unwrap();
         let (curve, rate) = (Curve::Line, Rate::Rapid);
-        let motion = Motion { line: 1, from: [5, 0], to: [5, 0], curve, rate };
+        let motion = Motion { line: 1, from: [5, 0, 0], to: [5, 0, 0], curve, rate };
         assert_eq!(Block::of(&motion, &machine, &limits), refused(Quantity::Length, 0.0));
     }
 }

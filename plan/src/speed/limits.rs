@@ -51,8 +51,9 @@ impl Limits {
     /// The highest speed in a corner between two directions, unit vectors: that with which the velocity
     /// jumps by no more than the limit, |v·(u_out − u_in)|. Infinite where there is no corner.
     #[must_use]
-    pub fn corner_speed(&self, incoming: [f64; 2], outgoing: [f64; 2]) -> f64 {
-        self.corner / (outgoing[0] - incoming[0]).hypot(outgoing[1] - incoming[1])
+    pub fn corner_speed(&self, incoming: [f64; 3], outgoing: [f64; 3]) -> f64 {
+        let [x, y, z] = [0, 1, 2].map(|axis| outgoing[axis] - incoming[axis]);
+        self.corner / x.hypot(y).hypot(z)
     }
 
     /// The highest speed on a circle: v²/R is the centripetal acceleration.
@@ -200,9 +201,13 @@ mod tests {
     #[test]
     fn corners_and_circles() {
         let limits = limits(1000.0, None);
-        assert_near(limits.corner_speed([1.0, 0.0], [-1.0, 0.0]), 5.0);
-        assert_near(limits.corner_speed([1.0, 0.0], [0.0, 1.0]), 10.0 / 2_f64.sqrt());
-        assert_eq!(limits.corner_speed([0.6, 0.8], [0.6, 0.8]), f64::INFINITY);
+        assert_near(limits.corner_speed([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]), 5.0);
+        assert_near(limits.corner_speed([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]), 10.0 / 2_f64.sqrt());
+        // From a plunge into the plane, and with an angle of 60 degrees in space.
+        assert_near(limits.corner_speed([0.0, 0.0, -1.0], [0.6, 0.8, 0.0]), 10.0 / 2_f64.sqrt());
+        let half = 0.5_f64.sqrt();
+        assert_near(limits.corner_speed([half, half, 0.0], [0.0, half, half]), 10.0);
+        assert_eq!(limits.corner_speed([0.6, 0.0, 0.8], [0.6, 0.0, 0.8]), f64::INFINITY);
         assert_near(limits.arc_speed(5.0), 50.0);
     }
 

@@ -132,7 +132,7 @@ mod tests {
 
     /// As many tangent blocks, too short to stop in: all of what is held is braked through each time.
     fn visits(blocks: usize) -> [usize; 2] {
-        let along = [1.0, 0.0];
+        let along = [1.0, 0.0, 0.0];
         let block = Block::new(1e-3, 100.0, along, along).unwrap();
         let limits = Limits::new(1000.0, Some(2e4), 1.0, 1.0).unwrap();
         let mut look_ahead = LookAhead::new(std::iter::repeat_n(block, blocks), limits);
@@ -154,7 +154,7 @@ mod tests {
     /// is a few roundings.
     #[test]
     fn what_rounding_unjoins_stays_as_it_was_planned() {
-        let along = [1.0, 0.0];
+        let along = [1.0, 0.0, 0.0];
         let limits = Limits::new(1000.0, None, 1.0, 1.0).unwrap();
         let block = Block::new(1e-9, 1e6, along, along).unwrap();
         let exit = 1e4_f64;
@@ -178,7 +178,7 @@ mod tests {
     /// is not given, as the program may end behind it.
     #[test]
     fn what_is_not_in_sight_is_taken_for_a_stop() {
-        let along = [1.0, 0.0];
+        let along = [1.0, 0.0, 0.0];
         let block = Block::new(1e-2, 100.0, along, along).unwrap();
         let limits = Limits::new(1000.0, None, 1.0, 1.0).unwrap();
         let speeds: Vec<_> = LookAhead::new(vec![block; 1000], limits).map(|p| p.exit()).collect();

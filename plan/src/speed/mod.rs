@@ -38,7 +38,7 @@
 //! // The corners are tangent, so nothing stops before the end.
 //! assert!(samples.iter().all(|sample| sample.speed > 0.0 || sample.block == 2));
 //! let points: Vec<_> = samples.iter().map(|sample| paths[sample.block].point(sample.way)).collect();
-//! assert_eq!(points.last(), Some(&[15.0, 15.0]));
+//! assert_eq!(points.last(), Some(&[15.0, 15.0, 0.0]));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -2,10 +2,10 @@
 
 use super::SpeedError;
 use crate::{Curve, Length, Motion};
-use onepulse_core::Direction;
+use onepulse_core::{Direction, Plane};
 use std::f64::consts::TAU;
 
-/// The curve of a [`Motion`] in millimetres.
+/// The curve of a [`Motion`] in millimetres; points and directions are x, y and z.
 ///
 /// An arc whose end is off the circle, as programs rounded to pulses have it, runs on the circle through
 /// its start until it sees the end in its own direction; the end point itself is what it programs.
@@ -13,17 +13,21 @@ use std::f64::consts::TAU;
 pub struct Path {
     shape: Shape,
     length: f64,
-    end: [f64; 2],
+    end: [f64; 3],
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Shape {
     Line {
-        from: [f64; 2],
-        direction: [f64; 2],
+        from: [f64; 3],
+        direction: [f64; 3],
     },
     Arc {
+        plane: Plane,
+        /// Along the plane's two axes, as the vectors.
         centre: [f64; 2],
+        /// The constant coordinate across the plane.
+        across: f64,
         radius: f64,
         /// The unit vectors from the centre to the start and towards the end.
         seen: [[f64; 2]; 2],
@@ -47,19 +51,23 @@ impl Path {
         let end = to.map(millimetres);
         let (shape, length) = match motion.curve {
             Curve::Line => {
-                let along = [0, 1].map(|axis| to[axis] - from[axis]);
+                let along = [0, 1, 2].map(|axis| to[axis] - from[axis]);
                 let shape = Shape::Line { from: from.map(millimetres), direction: unit(along) };
                 (shape, distance(along) * pulse)
             }
-            Curve::Arc { centre, direction } => {
-                let start = relative(from, centre).ok_or(SpeedError::NoArc)?;
-                let end = relative(to, centre).ok_or(SpeedError::NoArc)?;
+            Curve::Arc { plane, centre, direction } => {
+                let [start, end] = motion.ends_in(plane).map(|point| relative(point, centre));
+                let (Some(start), Some(end)) = (start, end) else {
+                    return Err(SpeedError::NoArc);
+                };
                 let radius = distance(start) * pulse;
                 let turn = if direction == Direction::Ccw { 1.0 } else { -1.0 };
                 let ahead = angle(start, end) * turn;
                 let sweep = if ahead > 0.0 { ahead } else { ahead + TAU };
                 let (centre, seen) = (centre.map(millimetres), [start, end].map(unit));
-                (Shape::Arc { centre, radius, seen, turn }, radius * sweep)
+                let [_, _, across] = plane.axes();
+                let across = millimetres(from[across]);
+                (Shape::Arc { plane, centre, across, radius, seen, turn }, radius * sweep)
             }
         };
         Ok(Self { shape, length, end })
@@ -82,36 +90,42 @@ impl Path {
 
     /// The directions of motion at the start and at the end, as unit vectors.
     #[must_use]
-    pub fn directions(&self) -> [[f64; 2]; 2] {
+    pub fn directions(&self) -> [[f64; 3]; 2] {
         match self.shape {
             Shape::Line { direction, .. } => [direction; 2],
-            Shape::Arc { seen, turn, .. } => seen.map(|[x, y]| [-turn * y, turn * x]),
+            Shape::Arc { plane, seen, turn, .. } => {
+                seen.map(|[x, y]| plane.place([-turn * y, turn * x, 0.0]))
+            }
         }
     }
 
     /// The point this many millimetres from the start along the curve; from its length on, the end
     /// point.
     #[must_use]
-    pub fn point(&self, way: f64) -> [f64; 2] {
+    pub fn point(&self, way: f64) -> [f64; 3] {
         if way >= self.length {
             return self.end;
         }
         match self.shape {
             Shape::Line { from, direction } => {
-                [0, 1].map(|axis| from[axis] + way * direction[axis])
+                [0, 1, 2].map(|axis| from[axis] + way * direction[axis])
             }
-            Shape::Arc { centre, radius, seen: [[x, y], _], turn } => {
+            Shape::Arc { plane, centre, across, radius, seen: [[x, y], _], turn } => {
                 let (sin, cos) = (turn * way / radius).sin_cos();
-                [centre[0] + radius * (x * cos - y * sin), centre[1] + radius * (y * cos + x * sin)]
+                plane.place([
+                    centre[0] + radius * (x * cos - y * sin),
+                    centre[1] + radius * (y * cos + x * sin),
+                    across,
+                ])
             }
         }
     }
 }
 
 /// A point seen from the centre, in pulses; none in the centre itself or too far from it.
-fn relative(point: [i64; 2], centre: [i64; 2]) -> Option<[i64; 2]> {
+fn relative(point: [i32; 2], centre: [i64; 2]) -> Option<[i64; 2]> {
     let seen = |axis: usize| {
-        let c = point[axis].checked_sub(centre[axis])?;
+        let c = i64::from(point[axis]).checked_sub(centre[axis])?;
         i32::try_from(c).is_ok().then_some(c)
     };
     let seen = [seen(0)?, seen(1)?];
@@ -126,11 +140,11 @@ fn angle(from: [i64; 2], to: [i64; 2]) -> f64 {
     (cross as f64).atan2(dot as f64)
 }
 
-fn distance([x, y]: [i64; 2]) -> f64 {
-    (x as f64).hypot(y as f64)
+fn distance<const AXES: usize>(point: [i64; AXES]) -> f64 {
+    point.iter().fold(0.0, |length: f64, &c| length.hypot(c as f64))
 }
 
-fn unit(point: [i64; 2]) -> [f64; 2] {
+fn unit<const AXES: usize>(point: [i64; AXES]) -> [f64; AXES] {
     point.map(|c| c as f64 / distance(point))
 }
 
@@ -141,29 +155,33 @@ mod tests {
     use proptest::prelude::*;
     use std::f64::consts::{FRAC_PI_2, PI};
 
-    fn path(from: [i32; 2], to: [i32; 2], curve: Curve) -> Result<Path, SpeedError> {
+    fn path(from: [i32; 3], to: [i32; 3], curve: Curve) -> Result<Path, SpeedError> {
         Path::of(&Motion { line: 1, from, to, curve, rate: Rate::Rapid }, "0.01".parse().unwrap())
     }
 
+    /// An arc in the XY plane.
     fn arc(from: [i32; 2], to: [i32; 2], centre: [i64; 2], direction: Direction) -> Path {
-        path(from, to, Curve::Arc { centre, direction }).unwrap()
+        let [from, to] = [from, to].map(|[x, y]| [x, y, 0]);
+        path(from, to, Curve::Arc { plane: Plane::Xy, centre, direction }).unwrap()
     }
 
-    fn assert_near(found: [f64; 2], expected: [f64; 2]) {
-        let off = (found[0] - expected[0]).hypot(found[1] - expected[1]);
+    fn assert_near<const AXES: usize>(found: [f64; 3], expected: [f64; AXES]) {
+        // What is not given is 0.
+        let off = (0..3).map(|axis| found[axis] - expected.get(axis).unwrap_or(&0.0));
+        let off = off.fold(0.0, f64::hypot);
         assert!(off < 1e-9, "{found:?} is not {expected:?}");
     }
 
     #[test]
     fn a_line_of_the_3_4_5_triangle() {
-        let line = path([100, 200], [400, 600], Curve::Line).unwrap();
+        let line = path([100, 200, 0], [400, 600, 0], Curve::Line).unwrap();
         assert!((line.length() - 5.0).abs() < 1e-12);
         assert_eq!(line.radius(), None);
         assert_near(line.directions()[0], [0.6, 0.8]);
         assert_near(line.directions()[1], [0.6, 0.8]);
         assert_near(line.point(0.0), [1.0, 2.0]);
         assert_near(line.point(2.5), [2.5, 4.0]);
-        assert_eq!(line.point(6.0), [4.0, 6.0]);
+        assert_eq!(line.point(6.0), [4.0, 6.0, 0.0]);
     }
 
     #[test]
@@ -187,7 +205,39 @@ mod tests {
         assert!((turn.length() - 10.0 * PI).abs() < 1e-12);
         assert_near(turn.directions()[1], turn.directions()[0]);
         assert_near(turn.point(5.0 * PI), [5.0, 0.0]);
-        assert_eq!(turn.point(turn.length()), [15.0, 0.0]);
+        assert_eq!(turn.point(turn.length()), [15.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn a_line_in_space_goes_2_3_6_in_7() {
+        let line = path([100, 200, -100], [300, 500, -700], Curve::Line).unwrap();
+        assert!((line.length() - 7.0).abs() < 1e-12);
+        assert_near(line.directions()[0], [2.0 / 7.0, 3.0 / 7.0, -6.0 / 7.0]);
+        assert_near(line.point(3.5), [2.0, 3.5, -4.0]);
+        assert_eq!(line.point(7.1), [3.0, 5.0, -7.0]);
+    }
+
+    /// Counter-clockwise is from the first axis of the plane to the second: in G18 from z to x, in G19
+    /// from y to z (ISO 841: right-handed about the axis across).
+    #[test]
+    fn quarter_turns_in_the_other_planes() {
+        let direction = Direction::Ccw;
+        let zx = Curve::Arc { plane: Plane::Zx, centre: [200, 100], direction };
+        // From z = centre + 5 mm to x = centre + 5 mm; y stays.
+        let zx = path([100, 300, 700], [600, 300, 200], zx).unwrap();
+        assert!((zx.length() - 5.0 * FRAC_PI_2).abs() < 1e-12);
+        assert_near(zx.directions()[0], [1.0, 0.0, 0.0]);
+        assert_near(zx.directions()[1], [0.0, 0.0, -1.0]);
+        let eighth = 5.0 * std::f64::consts::FRAC_1_SQRT_2;
+        assert_near(zx.point(zx.length() / 2.0), [1.0 + eighth, 3.0, 2.0 + eighth]);
+        assert_eq!(zx.point(zx.length()), [6.0, 3.0, 2.0]);
+
+        let yz = Curve::Arc { plane: Plane::Yz, centre: [0, 100], direction };
+        // From y = centre + 5 mm to z = centre + 5 mm; x stays.
+        let yz = path([-400, 500, 100], [-400, 0, 600], yz).unwrap();
+        assert_near(yz.directions()[0], [0.0, 0.0, 1.0]);
+        assert_near(yz.directions()[1], [0.0, -1.0, 0.0]);
+        assert_near(yz.point(yz.length() / 2.0), [-4.0, eighth, 1.0 + eighth]);
     }
 
     #[test]
@@ -195,7 +245,7 @@ mod tests {
         let off = arc([500, 0], [0, 502], [0, 0], Direction::Ccw);
         assert!((off.length() - 5.0 * FRAC_PI_2).abs() < 1e-12);
         assert_near(off.point(off.length() * (1.0 - 1e-12)), [0.0, 5.0]);
-        assert_eq!(off.point(off.length()), [0.0, 5.02]);
+        assert_eq!(off.point(off.length()), [0.0, 5.02, 0.0]);
     }
 
     #[test]
@@ -216,7 +266,8 @@ mod tests {
             ([0, -2], [1, 1], [0, i64::MAX]),
             ([0, 0], [1, 1], [0, 1 << 32]),
         ] {
-            let curve = Curve::Arc { centre, direction: Direction::Cw };
+            let curve = Curve::Arc { plane: Plane::Xy, centre, direction: Direction::Cw };
+            let [from, to] = [from, to].map(|[x, y]: [i32; 2]| [x, y, 0]);
             assert_eq!(path(from, to, curve), Err(SpeedError::NoArc), "{centre:?}");
         }
     }
@@ -246,7 +297,7 @@ mod tests {
             let before_end = [arc.point(arc.length() - step), arc.point(arc.length() * (1.0 - 1e-13))];
             let ends = [[arc.point(0.0), arc.point(step)], before_end];
             for (secant, tangent) in ends.into_iter().zip(arc.directions()) {
-                let [x, y] = [0, 1].map(|axis| secant[1][axis] - secant[0][axis]);
+                let [x, y, _] = [0, 1, 2].map(|axis| secant[1][axis] - secant[0][axis]);
                 let along = (x * tangent[0] + y * tangent[1]) / x.hypot(y);
                 prop_assert!(along > 1.0 - 1e-6, "{:?} {:?}", secant, tangent);
             }
