@@ -4,9 +4,11 @@ use crate::choice::{EndRuleName, MethodName, PresetName, UpdateName};
 use crate::compare;
 use crate::contour_error::ContourErrorArguments;
 use crate::curve::{AxisName, Curve, PlaneName, PlanePoint, Point, coordinate};
+use crate::cutters::CutterOptions;
 use crate::feed_rate::FeedRateArguments;
 use crate::interpolator::DriveTimes;
 use crate::motion_settings::MotionOptions;
+use crate::offset;
 use crate::plots;
 use crate::pulses;
 use crate::ramp::RampArguments;
@@ -80,6 +82,12 @@ pub(crate) enum Command {
     /// mean time between the pulses of an axis since the row before; with --servo-gain there is the
     /// following error of each axis.
     Profile(ProfileArguments),
+    /// The path of the cutter's centre: the contours of a G-code program compensated by its radius
+    ///
+    /// A row for each line and arc, in millimetres; `line` is the program's. Roles are rapid and feed (as
+    /// programmed), establish, offset (along a block, the radius away from it), corner and cancel. Columns of Z
+    /// are appended if anything moves out of the plane of X and Y.
+    Offset(OffsetArguments),
     /// A G-code program: pulses, waves, a picture and a report
     Run(Box<RunArguments>),
 }
@@ -206,6 +214,23 @@ pub(crate) struct SampleArguments {
     pub(crate) errors: bool,
 }
 
+#[derive(Debug, Args)]
+pub(crate) struct OffsetArguments {
+    /// The G-code program
+    pub(crate) program: PathBuf,
+    /// The machine: pulse equivalent, what integers count
+    #[arg(long, value_name = "machine.toml")]
+    pub(crate) config: Option<PathBuf>,
+    /// The pulse equivalent in millimetres
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    pub(crate) pulse_mm: Option<String>,
+    /// How to write it
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) format: offset::Format,
+    #[command(flatten)]
+    pub(crate) cutters: CutterOptions,
+}
+
 /// The heading of the options that belong to `--two-level`.
 const TWO_LEVELS: &str = "Two levels";
 
@@ -227,6 +252,8 @@ pub(crate) struct ProfileArguments {
     pub(crate) period: Option<String>,
     #[command(flatten)]
     pub(crate) motion: MotionOptions,
+    #[command(flatten)]
+    pub(crate) cutters: CutterOptions,
 }
 
 #[derive(Debug, Args)]
@@ -272,6 +299,8 @@ pub(crate) struct RunArguments {
     pub(crate) accelerate: bool,
     #[command(flatten)]
     pub(crate) motion: MotionOptions,
+    #[command(flatten)]
+    pub(crate) cutters: CutterOptions,
     #[command(flatten)]
     pub(crate) options: Options,
 }

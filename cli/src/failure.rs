@@ -1,8 +1,8 @@
 //! How a command fails: what is said, and with which exit status.
 
 use ariadne::{Config, IndexType, Label, Report, ReportKind, Source};
-use onepulse_plan::Diagnostic;
-use onepulse_plan::gcode::ProgramError;
+use onepulse_plan::centre_path::{Gouge, PathError};
+use onepulse_plan::{Diagnostic, Place};
 use std::io::{self, IsTerminal};
 use std::path::Path;
 use std::process::ExitCode;
@@ -14,8 +14,14 @@ pub(crate) enum Failure {
     Usage(String),
     /// A file or a check is at fault.
     Fault(String),
-    /// A program is at fault.
-    Program { file: String, diagnostic: Box<Diagnostic> },
+    /// A program is at fault, or another file of lines.
+    Program {
+        file: String,
+        /// At least one.
+        wrong: Vec<Diagnostic>,
+        /// The contours that the cutter would cut into.
+        gouges: Vec<Gouge>,
+    },
     /// Whoever reads standard output has had enough.
     Unread,
 }
@@ -27,11 +33,11 @@ impl Failure {
     }
 
     /// A G-code program that cannot be read, or is wrong.
-    pub(crate) fn program(path: &Path, error: ProgramError) -> Self {
+    pub(crate) fn program(path: &Path, error: PathError) -> Self {
         match error {
-            ProgramError::Input(error) => Self::file(path, &error),
-            ProgramError::Program(diagnostic) => {
-                Self::Program { file: path.display().to_string(), diagnostic }
+            PathError::Input(error) => Self::file(path, &error),
+            PathError::Program { wrong, gouges } => {
+                Self::Program { file: path.display().to_string(), wrong, gouges }
             }
         }
     }
@@ -56,32 +62,54 @@ impl Failure {
                 eprintln!("error: {message}");
                 ExitCode::from(1)
             }
-            Self::Program { file, diagnostic } => {
-                eprint!("{}", underlined(&file, &diagnostic, io::stderr().is_terminal()));
+            Self::Program { file, wrong, gouges } => {
+                let in_colour = io::stderr().is_terminal();
+                for diagnostic in &wrong {
+                    eprint!("{}", underlined(&file, diagnostic, in_colour));
+                }
+                if !gouges.is_empty() {
+                    eprintln!(
+                        "A picture of where: onepulse offset --format svg {file}, and the options as here"
+                    );
+                }
                 ExitCode::from(1)
             }
         }
     }
 }
 
-/// The error with its place, the line of the program, and the offending text underlined.
+/// The error with its places, the lines of the program, and the offending text underlined.
 fn underlined(file: &str, diagnostic: &Diagnostic, in_colour: bool) -> String {
-    let Diagnostic { line, source, span, message, help } = diagnostic;
-    let column = diagnostic.column();
-    // The lines before are left empty: they give this one its number.
-    let before = *line as usize - 1;
-    let place = (file, before + span.start..before + span.end);
+    let Diagnostic { place, also, message, help } = diagnostic;
+    // The other lines are left empty: they give these their numbers.
+    let last = also.iter().map(|other| other.line).fold(place.line, u32::max);
+    let mut text = String::new();
+    let mut starts = Vec::new();
+    for line in 1..=last {
+        let known = [place].into_iter().chain(also).find(|known| known.line == line);
+        if let Some(known) = known {
+            starts.push((line, text.len()));
+            text.push_str(&known.text);
+        }
+        text.push('\n');
+    }
+    let at = |place: &Place| {
+        let start =
+            starts.iter().find(|(line, _)| *line == place.line).map_or(0, |(_, start)| *start);
+        (file, start + place.span.start..start + place.span.end)
+    };
+    let name = |place: &Place| format!("line {}, column {}", place.line, place.column());
     let config = Config::default().with_color(in_colour).with_index_type(IndexType::Byte);
-    let report = Report::build(ReportKind::Error, place.clone())
+    let report = Report::build(ReportKind::Error, at(place))
         .with_config(config)
-        .with_message(format!("{file}:{line}:{column}: {message}"))
-        .with_label(Label::new(place).with_message(format!("line {line}, column {column}")))
+        .with_message(format!("{file}:{}:{}: {message}", place.line, place.column()))
+        .with_label(Label::new(at(place)).with_message(name(place)))
+        .with_labels(also.iter().map(|other| Label::new(at(other)).with_message(name(other))))
         .with_help(help)
         .finish();
-    let source = Source::from(format!("{}{source}", "\n".repeat(before)));
-    let mut text = Vec::new();
-    match report.write((file, source), &mut text) {
-        Ok(()) => String::from_utf8_lossy(&text).into_owned(),
+    let mut shown = Vec::new();
+    match report.write((file, Source::from(text)), &mut shown) {
+        Ok(()) => String::from_utf8_lossy(&shown).into_owned(),
         Err(_) => format!("error: {file}: {diagnostic}\n"),
     }
 }

@@ -1,16 +1,19 @@
 //! NC interpolation from the command line.
 
 mod args;
+mod backdrop;
 mod choice;
 mod compare;
 mod contour_error;
 mod curve;
+mod cutters;
 mod failure;
 mod feed_rate;
 mod interpolator;
 mod machine;
 mod machine_file;
 mod motion_settings;
+mod offset;
 mod output;
 mod plots;
 mod profile;
@@ -34,6 +37,7 @@ fn main() -> ExitCode {
         Command::FeedRate(arguments) => feed_rate::feed_rate(&arguments),
         Command::Sample(arguments) => sample::sample(&arguments),
         Command::Profile(arguments) => profile::profile(&arguments),
+        Command::Offset(arguments) => offset::offset(&arguments),
         Command::ContourError(arguments) => contour_error::contour_error(&arguments),
         Command::Ramp(arguments) => ramp::ramp(&arguments),
         Command::Run(arguments) => run::run(&arguments),

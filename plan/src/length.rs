@@ -46,6 +46,12 @@ impl Length {
         self.0 as f64 / Self::MILLIMETRE.0 as f64
     }
 
+    /// The whole number of picometres nearest to so many millimetres; the longest length if it is longer.
+    #[must_use]
+    pub fn nearest(millimetres: f64) -> Self {
+        Self((millimetres * Self::MILLIMETRE.0 as f64).round() as i64)
+    }
+
     /// `digits`·10^−`decimals` times `unit`.
     ///
     /// # Errors

@@ -5,18 +5,27 @@
 //! [`sampling`] makes the points of a line or an arc at a constant feed, [`after_interpolation`] gives
 //! the axes their ramps, and [`servo`] says what the axes make of it.
 //!
+//!
+//! [`centre_path`] then makes the path of the cutter's centre, with the geometry of [`compensation`].
+//!
 //! ```
-//! use onepulse_plan::{Curve, Machine, gcode::Program};
+//! use onepulse_plan::centre_path::{CentrePath, Compensation, Step};
+//! use onepulse_plan::{Curve, Machine, Tools, gcode::Program};
 //!
 //! let text = "G90 G21\nG01 X10.5 Y-2.25 F300\nM02\n";
 //! let machine = Machine::with_pulse("0.01".parse()?);
-//! let motions: Vec<_> = Program::new(text.as_bytes(), &machine).collect::<Result<_, _>>()?;
+//! let program = Program::new(text.as_bytes(), &machine, &Tools::Unknown);
+//! let steps: Vec<_> =
+//!     CentrePath::new(program, &machine, Compensation::default()).collect::<Result<_, _>>()?;
+//! let Step::Move(step) = &steps[0] else { panic!("it pauses") };
+//! let motions: Vec<_> = step.motions().collect();
 //! assert_eq!(motions[0].to, [1050, -225, 0]);
 //! assert_eq!(motions[0].curve, Curve::Line);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 pub mod after_interpolation;
+pub mod centre_path;
 pub mod compensation;
 mod diagnostic;
 pub mod gcode;
@@ -26,8 +35,10 @@ mod motion;
 pub mod sampling;
 pub mod servo;
 pub mod speed;
+mod tools;
 
-pub use diagnostic::Diagnostic;
+pub use diagnostic::{Diagnostic, Place};
 pub use length::{Length, LengthError};
 pub use machine::{Integers, Machine};
 pub use motion::{Curve, Motion, Rate};
+pub use tools::{ToolTable, Tools};

@@ -21,13 +21,16 @@ pub struct Machine {
     pub rapid: Length,
     /// What a coordinate without a decimal point counts.
     pub integers: Integers,
+    /// Whether blocks that begin with a slash are left out.
+    pub block_delete: bool,
 }
 
 impl Machine {
-    /// A machine with this pulse equivalent; rapid motions at 3 m/min, integers count pulses.
+    /// A machine with this pulse equivalent; rapid motions at 3 m/min, integers count pulses,
+    /// no block is left out.
     #[must_use]
     pub const fn with_pulse(pulse: Length) -> Self {
         let rapid = Length::from_picometres(3000 * Length::MILLIMETRE.picometres());
-        Self { pulse, rapid, integers: Integers::Pulses }
+        Self { pulse, rapid, integers: Integers::Pulses, block_delete: false }
     }
 }

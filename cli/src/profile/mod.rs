@@ -9,8 +9,7 @@ use crate::machine_file::MachineFile;
 use crate::motion_settings::MotionSettings;
 use crate::plots::Format;
 use crate::pulses::AXES;
-use onepulse_plan::Motion;
-use onepulse_plan::gcode::Program;
+use onepulse_plan::centre_path::Step;
 use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Write};
 
@@ -25,8 +24,13 @@ pub(crate) fn profile(arguments: &ProfileArguments) -> Result<(), Failure> {
     let input = File::open(&arguments.program);
     let input = input.map_err(|error| Failure::file(&arguments.program, &error))?;
     // All of it first: a program that is wrong somewhere has no profile.
-    let motions: Result<Vec<Motion>, _> = Program::new(BufReader::new(input), &machine).collect();
-    let motions = motions.map_err(|error| Failure::program(&arguments.program, error))?;
+    let mut motions = Vec::new();
+    for step in arguments.cutters.load()?.path(BufReader::new(input), &machine) {
+        match step.map_err(|error| Failure::program(&arguments.program, error))? {
+            Step::Move(step) => motions.extend(step.motions()),
+            Step::Pause(_) => {}
+        }
+    }
     let rows = Rows::new(&motions, &machine, &settings, |_| f64::INFINITY);
     let rows = rows.map_err(|why| Failure::Fault(format!("{name}: {why}")))?;
     let axes = rows.axes();

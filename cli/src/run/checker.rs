@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::machine::{Refusal, Visitor, with_machines};
 use onepulse_core::Pulse;
 use onepulse_hwmodel::Circuit;
-use onepulse_plan::{Diagnostic, Motion};
+use onepulse_plan::{Diagnostic, Motion, Place};
 
 /// Checks the blocks of a program.
 #[derive(Clone, Copy, Debug)]
@@ -21,13 +21,13 @@ pub(super) struct Checker<'a> {
 }
 
 impl<'a> Checker<'a> {
-    /// Refuses a block that the machine's method or registers do not serve. It stands in this text.
+    /// Refuses a block that the machine's method or registers do not serve.
     pub(super) fn check(
         self,
         motion: &Motion,
-        text: &str,
+        place: &Place,
         planned: Option<&PlannedBlock<'_>>,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), Diagnostic> {
         let block = Interpolated::of(motion);
         if block.is_in_space() && !self.method.has_circuit_in_space() {
             let message = format!(
@@ -36,14 +36,14 @@ impl<'a> Checker<'a> {
             );
             let help =
                 "take --method dda, brm or min-deviation, or move two axes at most in a block";
-            return Err(self.failure(motion, text, message, help));
+            return Err(diagnostic(place, message, help));
         }
         let served = self.coarse(motion, &block, planned).and_then(|coarse| match coarse {
             // What serves the longest sample serves them all.
             Some(_) => Ok(()),
             None => with_machines(&block.curve, self.method, Some(self.config.bits), Built)?,
         });
-        served.map_err(|why| self.refused(motion, text, &why))
+        served.map_err(|why| refusal(place, &why))
     }
 
     /// The samples of a block, of two levels.
@@ -63,22 +63,23 @@ impl<'a> Checker<'a> {
     }
 
     /// The failure of a block that is refused.
-    pub(super) fn refused(self, motion: &Motion, text: &str, why: &Refusal) -> Failure {
-        let help = "change the block, or the machine: --method, --bits or machine.toml";
-        self.failure(motion, text, why.to_string(), help)
+    pub(super) fn refused(self, place: &Place, why: &Refusal) -> Failure {
+        self.failure(vec![refusal(place, why)])
     }
 
-    fn failure(self, motion: &Motion, text: &str, message: String, help: &str) -> Failure {
-        let start = text.len() - text.trim_start().len();
-        let diagnostic = Diagnostic {
-            line: motion.line,
-            source: text.to_owned(),
-            span: start..text.trim_end().len().max(start),
-            message,
-            help: help.to_owned(),
-        };
-        Failure::Program { file: self.name.to_owned(), diagnostic: Box::new(diagnostic) }
+    /// The failure of blocks that are refused.
+    pub(super) fn failure(self, wrong: Vec<Diagnostic>) -> Failure {
+        Failure::Program { file: self.name.to_owned(), wrong, gouges: Vec::new() }
     }
+}
+
+fn refusal(place: &Place, why: &Refusal) -> Diagnostic {
+    let help = "change the block, or the machine: --method, --bits or machine.toml";
+    diagnostic(place, why.to_string(), help)
+}
+
+fn diagnostic(place: &Place, message: String, help: &str) -> Diagnostic {
+    Diagnostic { place: place.clone(), also: Vec::new(), message, help: help.to_owned() }
 }
 
 /// Builds the circuit of a curve, and lets it go.

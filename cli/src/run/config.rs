@@ -4,6 +4,7 @@ use super::speed::Speed;
 use super::two_level::TwoLevel;
 use crate::args::{Options, RunArguments};
 use crate::choice::{MethodName, PresetName};
+use crate::cutters::Cutters;
 use crate::failure::Failure;
 use crate::machine_file::MachineFile;
 use crate::motion_settings::MotionSettings;
@@ -20,6 +21,7 @@ pub(super) struct Config {
     pub(super) two_level: Option<TwoLevel>,
     /// What the speeds are planned by, where they are.
     pub(super) motion: Option<MotionSettings>,
+    pub(super) cutters: Cutters,
 }
 
 /// Wide enough for ±8 million pulses with the headroom bit that circles need.
@@ -78,7 +80,8 @@ impl Config {
                 None => in_file(format!("bits = {bits}: {why}")),
             });
         }
-        Ok(Self { machine, bits, options, two_level, motion })
+        let cutters = arguments.cutters.load()?;
+        Ok(Self { machine, bits, options, two_level, motion, cutters })
     }
 
     /// The speed that a motion is to have.

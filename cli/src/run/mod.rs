@@ -28,14 +28,17 @@ use config::Config;
 use deviation::Deviation;
 use indicatif::{ProgressBar, ProgressStyle};
 use interpolated::Interpolated;
-use onepulse_plan::Motion;
-use onepulse_plan::gcode::Program;
+use onepulse_plan::centre_path::Step;
+use onepulse_plan::{Motion, Place};
 use outputs::{Outputs, Pace};
 use planned::{Plan, PlannedBlock};
 use report::{BlockReport, Summary};
 use std::fs::File;
 use std::io::{self, BufReader, Seek};
 use survey::Survey;
+
+/// Blocks that are refused in one pass.
+const MOST_ERRORS: usize = 20;
 
 pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let config = Config::load(arguments)?;
@@ -57,50 +60,70 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let checker = Checker { config: &config, method: &method, name: &name };
     let bar = progress(length);
     let begin = |survey: Survey| -> Result<_, Failure> {
-        let outputs = Outputs::create(arguments, &config, &method, survey)?;
-        let summary = Summary::new(survey.axes());
-        Ok(Run { checker, survey, outputs, summary, short: [0; 3] })
+        let outputs = Outputs::create(arguments, &config, &method, &survey)?;
+        let axes = survey.axes();
+        let summary = Summary::new(axes);
+        Ok(Run { checker, axes, outputs, summary, short: [0; 3] })
     };
 
     // All of the program first: it says which axes move, and is refused before anything is made of it.
-    let mut survey = Survey::default();
+    let mut survey = Survey::new(config.machine.pulse);
     let run = match config.motion {
         None => {
-            let mut program = Program::new(BufReader::new(&input), &config.machine);
-            while let Some(motion) = program.next() {
-                let motion = motion.map_err(wrong)?;
-                survey.add(&motion);
-                checker.check(&motion, program.text(), None)?;
+            let mut refused = Vec::new();
+            for step in config.cutters.path(BufReader::new(&input), &config.machine) {
+                let Step::Move(step) = step.map_err(wrong)? else { continue };
+                survey.backdrop.add(&step);
+                for motion in step.motions() {
+                    survey.add(&motion);
+                    refused.extend(checker.check(&motion, &step.place, None).err());
+                }
+                if refused.len() >= MOST_ERRORS {
+                    break;
+                }
+            }
+            if !refused.is_empty() {
+                return Err(checker.failure(refused));
             }
             input.rewind().map_err(fault)?;
-            let mut program = Program::new(BufReader::new(bar.wrap_read(input)), &config.machine);
+            let input = BufReader::new(bar.wrap_read(input));
             let mut run = begin(survey)?;
-            while let Some(motion) = program.next() {
-                run.block(&motion.map_err(wrong)?, program.text(), None)?;
+            for step in config.cutters.path(input, &config.machine) {
+                let Step::Move(step) = step.map_err(wrong)? else { continue };
+                for motion in step.motions() {
+                    run.block(&motion, &step.place, None)?;
+                }
             }
             run
         }
         // And what comes later bounds the speeds before.
         Some(settings) => {
-            let (mut motions, mut texts) = (Vec::new(), Vec::new());
-            let mut program = Program::new(BufReader::new(bar.wrap_read(input)), &config.machine);
-            while let Some(motion) = program.next() {
-                let motion = motion.map_err(wrong)?;
-                survey.add(&motion);
-                motions.push(motion);
-                texts.push(program.text().to_owned());
+            let (mut motions, mut places) = (Vec::new(), Vec::new());
+            let input = BufReader::new(bar.wrap_read(input));
+            for step in config.cutters.path(input, &config.machine) {
+                let Step::Move(step) = step.map_err(wrong)? else { continue };
+                survey.backdrop.add(&step);
+                for motion in step.motions() {
+                    survey.add(&motion);
+                    motions.push(motion);
+                    places.push(step.place.clone());
+                }
             }
             let plan = Plan::new(&motions, &config, settings);
             let plan = plan.map_err(|why| Failure::Fault(format!("{name}: {why}")))?;
-            let blocks = || motions.iter().zip(&texts).zip(plan.blocks(&motions, &config));
-            for ((motion, text), planned) in blocks() {
-                checker.check(motion, text, Some(&planned))?;
+            let blocks = || motions.iter().zip(&places).zip(plan.blocks(&motions, &config));
+            let refused = blocks().filter_map(|((motion, place), planned)| {
+                checker.check(motion, place, Some(&planned)).err()
+            });
+            let refused: Vec<_> = refused.take(MOST_ERRORS).collect();
+            if !refused.is_empty() {
+                return Err(checker.failure(refused));
             }
             let mut run = begin(survey)?;
             run.outputs.plot(&plan.rows)?;
             run.summary.motion = Some(plan.report());
-            for ((motion, text), planned) in blocks() {
-                run.block(motion, text, Some(&planned))?;
+            for ((motion, place), planned) in blocks() {
+                run.block(motion, place, Some(&planned))?;
             }
             run
         }
@@ -130,7 +153,8 @@ fn rewindable(mut input: File) -> io::Result<File> {
 /// A run under way.
 struct Run<'a> {
     checker: Checker<'a>,
-    survey: Survey,
+    /// Of all files: x and y, and z if it ever moves.
+    axes: usize,
     outputs: Outputs,
     summary: Summary,
     /// What earlier blocks left short of their end points shifts all later positions.
@@ -138,15 +162,15 @@ struct Run<'a> {
 }
 
 impl Run<'_> {
-    /// Makes a block that stands in this text.
+    /// Makes a block that stands in this place.
     fn block(
         &mut self,
         motion: &Motion,
-        text: &str,
+        place: &Place,
         planned: Option<&PlannedBlock<'_>>,
     ) -> Result<(), Failure> {
         let Checker { config, method, .. } = self.checker;
-        let refused = |why| self.checker.refused(motion, text, &why);
+        let refused = |why| self.checker.refused(place, &why);
         let interpolated = Interpolated::of(motion);
         let speed = config.speed(motion);
         let coarse = self.checker.coarse(motion, &interpolated, planned).map_err(refused)?;
@@ -180,8 +204,7 @@ impl Run<'_> {
         }
         let result = block.end()?;
         self.short = [0, 1, 2].map(|axis| self.short[axis] + result.residual[axis]);
-        let axes = self.survey.axes();
-        let report = BlockReport::new(motion, method, speed, &result, coarse, axes);
+        let report = BlockReport::new(motion, method, speed, &result, coarse, self.axes);
         let position = [0, 1, 2].map(|axis| i64::from(motion.to[axis]) - self.short[axis]);
         self.summary.add(&report, position);
         self.outputs.report.block(&report)

@@ -62,7 +62,7 @@ struct Waves {
     /// The end of what was traced.
     traced_until: u64,
     /// The first signal of each circuit, by its name and axes.
-    circuits: Vec<((&'static str, usize), usize)>,
+    circuits: Vec<Declared>,
     /// Clocks of the run so far, and those that are traced.
     run_clocks: u64,
     window: Range<u64>,
@@ -85,7 +85,7 @@ impl Outputs {
         arguments: &RunArguments,
         config: &Config,
         method: &Method,
-        survey: Survey,
+        survey: &Survey,
     ) -> Result<Self, Failure> {
         let axes = survey.axes();
         let folder = OutputFolder::open(&arguments.out)?;
@@ -95,7 +95,7 @@ impl Outputs {
         let columns = deltas.chain(AXES[..axes].iter().map(|axis| format!(",{axis}")));
         let header = writeln!(pulses, "line,cycle{}", columns.collect::<String>());
         header.map_err(|error| pulses_file.failure(&error))?;
-        let picture = Picture::begin(folder.create("path.svg")?)?;
+        let picture = Picture::begin(folder.create("path.svg")?, &survey.backdrop)?;
         let waves = match arguments.no_waves {
             true => None,
             false => {
@@ -243,7 +243,7 @@ impl Waves {
         file: OutputFile,
         config: &Config,
         method: &Method,
-        survey: Survey,
+        survey: &Survey,
         window: (u64, u64),
     ) -> Result<Self, Failure> {
         let mut list = SignalList::new();
@@ -321,22 +321,25 @@ fn ticks(seconds: f64) -> u64 {
     (seconds * TICKS_PER_SECOND).round() as u64
 }
 
+/// A circuit's name and axes, and its first signal.
+type Declared = ((&'static str, usize), usize);
+
 /// The circuits that the method needs, loaded with the smallest curves there are: those of a plane, and that of
 /// lines in space if the program has any.
 fn declare_circuits(
     list: &mut SignalList,
     config: &Config,
     method: &Method,
-    survey: Survey,
-) -> Result<Vec<((&'static str, usize), usize)>, Error> {
-    fn add<C: Circuit<2>>(list: &mut SignalList, circuit: &C) -> ((&'static str, usize), usize) {
+    survey: &Survey,
+) -> Result<Vec<Declared>, Error> {
+    fn add<C: Circuit<2>>(list: &mut SignalList, circuit: &C) -> Declared {
         ((C::NAME, 2), list.add_circuit(circuit))
     }
     fn add_in_space<C: Circuit<3>>(
         list: &mut SignalList,
         scope: &'static str,
         circuit: &C,
-    ) -> ((&'static str, usize), usize) {
+    ) -> Declared {
         ((C::NAME, 3), list.add_circuit_in(scope, circuit))
     }
     let (x, y, direction, bits) = ([1, 0], [0, 1], Direction::Ccw, config.bits);

@@ -1,6 +1,7 @@
 //! `path.svg`: the programmed curves and the staircase of pulses over them, seen from the positive end of z:
 //! of a motion in space, its projection on the XY plane.
 
+use crate::backdrop::{self, Backdrop};
 use crate::failure::Failure;
 use crate::output::OutputFile;
 use onepulse_core::{Direction, Plane, Pulse};
@@ -33,22 +34,26 @@ const CORNERS: u32 = 400_000;
 /// An em is a pixel of the picture at its first size: the frame sets the font size so.
 const STYLE: &str = "<style>path{fill:none;stroke-linejoin:round}\
 .f{stroke:#9db8d9;stroke-width:4em}.r{stroke:#b9b9b9;stroke-width:1.5em;stroke-dasharray:6em 4em}\
-.s{stroke:#c0392b;stroke-width:.8em}</style>\n<g transform=\"scale(1,-1)\">\n";
+.s{stroke:#c0392b;stroke-width:.8em}";
 
 impl Picture {
-    pub(super) fn begin(file: OutputFile) -> Result<Self, Failure> {
+    /// Begins the picture over what is known before.
+    pub(super) fn begin(file: OutputFile, backdrop: &Backdrop) -> Result<Self, Failure> {
         let mut out = file.writer()?;
-        let room = writeln!(out, "{:FRAME$}", "").and_then(|()| out.write_all(STYLE.as_bytes()));
-        room.map_err(|error| file.failure(&error))?;
+        let more = if backdrop.frame().is_some() { backdrop::STYLE } else { "" };
+        let begun = writeln!(out, "{:FRAME$}", "").and_then(|()| {
+            write!(out, "{STYLE}{more}</style>\n<g transform=\"scale(1,-1)\">\n{}", backdrop.svg())
+        });
+        begun.map_err(|error| file.failure(&error))?;
         let none = ([0, 0], 0);
-        Ok(Self {
-            out,
-            file,
-            frame: [[0; 2]; 2],
-            position: [0; 2],
-            run: none,
-            corners_left: CORNERS,
-        })
+        let mut frame = [[0; 2]; 2];
+        if let Some([low, high]) = backdrop.frame() {
+            for axis in 0..2 {
+                frame[0][axis] = (low[axis].floor() as i64).min(0);
+                frame[1][axis] = (high[axis].ceil() as i64).max(0);
+            }
+        }
+        Ok(Self { out, file, frame, position: [0; 2], run: none, corners_left: CORNERS })
     }
 
     /// Draws the curve of a block, and begins its staircase.

@@ -1,16 +1,26 @@
 //! What has to be known of a program before it is run.
 
-use onepulse_plan::Motion;
+use crate::backdrop::Backdrop;
+use onepulse_core::Plane;
+use onepulse_plan::{Length, Motion};
 
-/// Which axes a program moves.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Which axes a program moves, and the contours that it cuts.
+#[derive(Clone, Debug)]
 pub(super) struct Survey {
     moves_z: bool,
     /// Whether it has lines that move all three axes.
     pub(super) has_lines_in_space: bool,
+    /// The contours of which the cutter is compensated.
+    pub(super) backdrop: Backdrop,
 }
 
 impl Survey {
+    /// Of a program of which nothing is known yet.
+    pub(super) fn new(pulse: Length) -> Self {
+        let backdrop = Backdrop::new(Plane::Xy, 1.0 / pulse.millimetres());
+        Self { moves_z: false, has_lines_in_space: false, backdrop }
+    }
+
     /// Takes a motion into account.
     pub(super) fn add(&mut self, motion: &Motion) {
         self.moves_z |= motion.moves_z();

@@ -84,47 +84,53 @@ impl fmt::Display for Overcut {
             Some(other) => write!(f, "lines {} and {other}: ", self.line)?,
             None => write!(f, "line {}: ", self.line)?,
         }
-        match self.kind {
-            OvercutKind::Radius { radius } => {
+        self.kind.fmt(f)
+    }
+}
+
+impl fmt::Display for OvercutKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Radius { radius } => {
                 write!(f, "the tool's radius, {radius} mm, is not a number from 0 to 1e7")
             }
-            OvercutKind::OutOfRange { coordinate } => {
+            Self::OutOfRange { coordinate } => {
                 write!(f, "a coordinate, {coordinate} mm, is not a number from -1e7 to 1e7")
             }
-            OvercutKind::Disconnected { gap } => {
+            Self::Disconnected { gap } => {
                 write!(f, "the block starts {gap:.6} mm from the end of the one before")
             }
-            OvercutKind::NotALine => f.write_str(
+            Self::NotALine => f.write_str(
                 "the compensation is established and cancelled on a line, not on an arc",
             ),
-            OvercutKind::NoLength => {
+            Self::NoLength => {
                 f.write_str("the compensation is established or cancelled on a line of no length")
             }
-            OvercutKind::NoArc { radii: [start, end] } => {
+            Self::NoArc { radii: [start, end] } => {
                 write!(f, "start and end are {start:.6} and {end:.6} mm from the centre: no arc")
             }
-            OvercutKind::SmallArc { arc, radius } => write!(
+            Self::SmallArc { arc, radius } => write!(
                 f,
                 "the tool, with a radius of {radius:.6} mm, is larger than the arc in which it runs, \
                  with {arc:.6} mm"
             ),
-            OvercutKind::ShortBlock { length, taken } => write!(
+            Self::ShortBlock { length, taken } => write!(
                 f,
                 "the tool takes {taken:.6} mm off the ends of a block of {length:.6} mm: its path \
                  there would run backward"
             ),
-            OvercutKind::NoMeeting { radius } => write!(
+            Self::NoMeeting { radius } => write!(
                 f,
                 "the tool, with a radius of {radius:.6} mm, does not fit into the corner: its paths \
                  do not meet there"
             ),
-            OvercutKind::Slit => f.write_str("the tool does not fit between blocks that turn back"),
-            OvercutKind::InsideCorner { radius } => write!(
+            Self::Slit => f.write_str("the tool does not fit between blocks that turn back"),
+            Self::InsideCorner { radius } => write!(
                 f,
                 "an inside corner needs an arc of at least {radius:.6} mm between the two blocks \
                  in the B type"
             ),
-            OvercutKind::Interference { distance, radius } => write!(
+            Self::Interference { distance, radius } => write!(
                 f,
                 "along the first the tool cuts {:.6} mm into the second",
                 radius - distance

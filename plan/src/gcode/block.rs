@@ -1,7 +1,8 @@
 //! The words of one line sorted into what they mean.
 
-use super::word::{Fault, Number, Word, words};
-use onepulse_core::Direction;
+use super::word::{Fault, Number, Word, Words};
+use crate::compensation::Side;
+use onepulse_core::{Direction, Plane};
 use std::ops::Range;
 
 /// How coordinates move.
@@ -12,6 +13,15 @@ pub(super) enum MotionMode {
     Arc(Direction),
 }
 
+/// What ends or stops a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stop {
+    /// M00: until the operator goes on.
+    Program,
+    /// M02, M30.
+    End,
+}
+
 /// A number and where it is written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Value {
@@ -19,89 +29,126 @@ pub(super) struct Value {
     pub(super) span: Range<usize>,
 }
 
-/// One line of a program: at most one word of each kind.
+/// Something that a word chooses, and where that is written.
+type Choice<T> = Option<(T, Range<usize>)>;
+
+/// One line of a program: at most one word of each modal group and of each letter.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Block {
-    pub(super) motion: Option<(MotionMode, Range<usize>)>,
-    pub(super) is_absolute: Option<bool>,
-    pub(super) is_metric: Option<bool>,
-    pub(super) x: Option<Value>,
-    pub(super) y: Option<Value>,
-    pub(super) i: Option<Value>,
-    pub(super) j: Option<Value>,
+    pub(super) motion: Choice<MotionMode>,
+    pub(super) plane: Choice<Plane>,
+    pub(super) is_metric: Choice<bool>,
+    pub(super) is_absolute: Choice<bool>,
+    /// G40 to G42: the side of the cutter, none for the path itself.
+    pub(super) side: Choice<Option<Side>>,
+    pub(super) dwell: Choice<()>,
+    pub(super) stop: Choice<Stop>,
+    /// X, Y, Z.
+    pub(super) coordinates: [Option<Value>; 3],
+    /// I, J, K.
+    pub(super) offsets: [Option<Value>; 3],
     pub(super) r: Option<Value>,
+    pub(super) p: Option<Value>,
     pub(super) f: Option<Value>,
-    pub(super) is_end: bool,
+    pub(super) s: Option<Value>,
+    pub(super) t: Option<Value>,
+    pub(super) d: Option<Value>,
     /// The first and last byte of the words.
     pub(super) span: Range<usize>,
+    pub(super) is_deletable: bool,
+    pub(super) is_tape_mark: bool,
+    /// Whether some of it could not be read: any word may have stood there.
+    pub(super) is_garbled: bool,
 }
 
 impl Block {
-    /// Reads a line.
-    pub(super) fn read(line: &str) -> Result<Self, Fault> {
-        let words = words(line)?;
-        let mut block = Self::default();
+    /// Reads a line: what it says, and everything that is wrong with it.
+    pub(super) fn read(line: &str) -> (Self, Vec<Fault>) {
+        let Words { words, mut faults, is_deletable, is_tape_mark } = Words::read(line);
+        let is_garbled = !faults.is_empty();
+        let mut block = Self { is_deletable, is_tape_mark, is_garbled, ..Self::default() };
         if let (Some(first), Some(last)) = (words.first(), words.last()) {
             block.span = first.span.start..last.span.end;
         }
-        let mut has_plane = false;
         for (place, word) in words.into_iter().enumerate() {
-            let span = word.span.clone();
-            match word.letter {
-                'N' => check_line_number(place, &word)?,
-                'G' => match word.number.as_integer() {
-                    Some(code @ 0..=3) => {
-                        let mode = [
-                            MotionMode::Rapid,
-                            MotionMode::Feed,
-                            MotionMode::Arc(Direction::Cw),
-                            MotionMode::Arc(Direction::Ccw),
-                        ][code as usize];
-                        set(&mut block.motion, (mode, span.clone()), &span, "motion mode")?;
-                    }
-                    Some(17) if !has_plane => has_plane = true,
-                    Some(17) => return Err(twice(span, "plane")),
-                    Some(code @ (20 | 21)) => {
-                        set(&mut block.is_metric, code == 21, &span, "unit (G20, G21)")?;
-                    }
-                    Some(code @ (90 | 91)) => {
-                        set(&mut block.is_absolute, code == 90, &span, "distance mode (G90, G91)")?;
-                    }
-                    _ => return Err(unsupported(line, &word)),
-                },
-                'M' if matches!(word.number.as_integer(), Some(2 | 30)) => {
-                    if std::mem::replace(&mut block.is_end, true) {
-                        return Err(twice(span, "end of program"));
-                    }
-                }
-                'X' => set_value(&mut block.x, word)?,
-                'Y' => set_value(&mut block.y, word)?,
-                'I' => set_value(&mut block.i, word)?,
-                'J' => set_value(&mut block.j, word)?,
-                'R' => set_value(&mut block.r, word)?,
-                'F' => set_value(&mut block.f, word)?,
-                _ => return Err(unsupported(line, &word)),
-            }
+            faults.extend(block.take(place, word, line).err());
         }
-        Ok(block)
+        (block, faults)
+    }
+
+    fn take(&mut self, place: usize, word: Word, line: &str) -> Result<(), Fault> {
+        let span = word.span.clone();
+        match (word.letter, word.number.as_integer()) {
+            ('N', _) => check_line_number(place, &word),
+            ('G', Some(code @ 0..=3)) => {
+                let mode = [
+                    MotionMode::Rapid,
+                    MotionMode::Feed,
+                    MotionMode::Arc(Direction::Cw),
+                    MotionMode::Arc(Direction::Ccw),
+                ][code as usize];
+                choose(&mut self.motion, mode, span, "motion mode (G00 to G03)")
+            }
+            ('G', Some(4)) => choose(&mut self.dwell, (), span, "dwell (G04)"),
+            ('G', Some(code @ 17..=19)) => {
+                let plane = [Plane::Xy, Plane::Zx, Plane::Yz][(code - 17) as usize];
+                choose(&mut self.plane, plane, span, "plane (G17 to G19)")
+            }
+            ('G', Some(code @ (20 | 21))) => {
+                choose(&mut self.is_metric, code == 21, span, "unit (G20, G21)")
+            }
+            ('G', Some(code @ 40..=42)) => {
+                let side = [None, Some(Side::Left), Some(Side::Right)][(code - 40) as usize];
+                choose(&mut self.side, side, span, "cutter radius compensation (G40 to G42)")
+            }
+            ('G', Some(code @ (90 | 91))) => {
+                choose(&mut self.is_absolute, code == 90, span, "distance mode (G90, G91)")
+            }
+            ('M', Some(0)) => choose(&mut self.stop, Stop::Program, span, STOP),
+            ('M', Some(2 | 30)) => choose(&mut self.stop, Stop::End, span, STOP),
+            ('X', _) => set(&mut self.coordinates[0], word),
+            ('Y', _) => set(&mut self.coordinates[1], word),
+            ('Z', _) => set(&mut self.coordinates[2], word),
+            ('I', _) => set(&mut self.offsets[0], word),
+            ('J', _) => set(&mut self.offsets[1], word),
+            ('K', _) => set(&mut self.offsets[2], word),
+            ('R', _) => set(&mut self.r, word),
+            ('P', _) => set(&mut self.p, word),
+            ('F', _) => set(&mut self.f, word),
+            ('S', _) => set(&mut self.s, word),
+            ('T', _) => set(&mut self.t, word),
+            ('D', _) => set(&mut self.d, word),
+            _ => Err(unsupported(line, &word)),
+        }
     }
 
     /// A word that only arcs have.
     pub(super) fn arc_word(&self) -> Option<&Value> {
-        self.i.as_ref().or(self.j.as_ref()).or(self.r.as_ref())
+        self.offsets.iter().flatten().chain(&self.r).min_by_key(|value| value.span.start)
     }
 }
 
-fn set<T>(slot: &mut Option<T>, value: T, span: &Range<usize>, what: &str) -> Result<(), Fault> {
-    match slot.replace(value) {
-        None => Ok(()),
-        Some(_) => Err(twice(span.clone(), what)),
+const STOP: &str = "stop or end of program (M00, M02, M30)";
+
+fn choose<T>(
+    slot: &mut Choice<T>,
+    choice: T,
+    span: Range<usize>,
+    group: &str,
+) -> Result<(), Fault> {
+    if slot.is_some() {
+        return Err(twice(span, group));
     }
+    *slot = Some((choice, span));
+    Ok(())
 }
 
-fn set_value(slot: &mut Option<Value>, Word { letter, number, span }: Word) -> Result<(), Fault> {
-    let value = Value { number, span: span.clone() };
-    set(slot, value, &span, &letter.to_string())
+fn set(slot: &mut Option<Value>, Word { letter, number, span }: Word) -> Result<(), Fault> {
+    if slot.is_some() {
+        return Err(twice(span, &letter.to_string()));
+    }
+    *slot = Some(Value { number, span });
+    Ok(())
 }
 
 fn twice(span: Range<usize>, what: &str) -> Fault {
@@ -134,20 +181,21 @@ fn check_line_number(place: usize, word: &Word) -> Result<(), Fault> {
 fn unsupported(line: &str, word: &Word) -> Fault {
     let text = line[word.span.clone()].replace(char::is_whitespace, "").to_uppercase();
     let help = match (word.letter, word.number.as_integer()) {
-        ('G', Some(18 | 19)) => {
-            "only the XY plane (G17) is interpolated: turn the part, or remove the block"
+        ('A' | 'B' | 'C' | 'U' | 'V' | 'W', _) => {
+            "three axes are interpolated, X, Y and Z: remove the word"
         }
-        ('G', Some(40..=42)) | ('D', _) => {
-            "offset the path by the cutter radius before, and remove the word"
+        ('M', _) => {
+            "coolant, tool change and the spindle's start are not part of the interpolator: remove \
+             the word; M00, M02 and M30 are supported"
         }
-        ('G', Some(4)) => "there is no dwell: remove the block",
-        ('X' | 'Y' | 'Z' | 'A' | 'B' | 'C' | 'U' | 'V' | 'W' | 'K', _) => {
-            "two axes are interpolated, X and Y: remove the word"
+        ('H', _) | ('G', Some(43 | 44 | 49)) => {
+            "there is no tool length offset: remove the word, and write Z as it is to be"
         }
-        ('M' | 'S' | 'T', _) => {
-            "spindle, tools and coolant are not part of the interpolator: remove the word"
+        ('G', Some(80..=89)) => "there are no cycles: write their motions as G00 and G01",
+        _ => {
+            "supported are G00 to G04, G17 to G21, G40 to G42, G90 G91, M00 M02 M30, X Y Z I J K R P F \
+             S T D and N"
         }
-        _ => "supported are G00 G01 G02 G03 G17 G20 G21 G90 G91, M02 M30, X Y I J R F and N",
     };
     Fault::new(word.span.clone(), format!("{text} is not supported"), help)
 }

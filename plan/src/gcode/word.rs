@@ -4,26 +4,26 @@ use std::ops::Range;
 
 /// A word of a block.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Word {
+pub(crate) struct Word {
     /// The letter, in upper case.
-    pub(super) letter: char,
-    pub(super) number: Number,
+    pub(crate) letter: char,
+    pub(crate) number: Number,
     /// Its bytes in the line.
-    pub(super) span: Range<usize>,
+    pub(crate) span: Range<usize>,
 }
 
 /// A decimal number as it is written: `digits`·10^−`decimals`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Number {
-    pub(super) digits: i64,
-    pub(super) decimals: u32,
+pub(crate) struct Number {
+    pub(crate) digits: i64,
+    pub(crate) decimals: u32,
     /// Whether a decimal point is written.
-    pub(super) has_point: bool,
+    pub(crate) has_point: bool,
 }
 
 impl Number {
     /// The number, if it is whole.
-    pub(super) fn as_integer(self) -> Option<i64> {
+    pub(crate) fn as_integer(self) -> Option<i64> {
         let scale = 10_i64.checked_pow(self.decimals)?;
         (self.digits % scale == 0).then_some(self.digits / scale)
     }
@@ -31,14 +31,14 @@ impl Number {
 
 /// What is wrong with a line's text.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Fault {
-    pub(super) span: Range<usize>,
-    pub(super) message: String,
-    pub(super) help: String,
+pub(crate) struct Fault {
+    pub(crate) span: Range<usize>,
+    pub(crate) message: String,
+    pub(crate) help: String,
 }
 
 impl Fault {
-    pub(super) fn new(
+    pub(crate) fn new(
         span: Range<usize>,
         message: impl Into<String>,
         help: impl Into<String>,
@@ -47,31 +47,71 @@ impl Fault {
     }
 }
 
-/// The words of a line; blanks, comments and a tape mark are left out.
-pub(super) fn words(line: &str) -> Result<Vec<Word>, Fault> {
-    let mut words = Vec::new();
-    let mut rest = Cursor { line, at: 0 };
-    loop {
-        rest.skip_blanks();
-        let start = rest.at;
-        match rest.peek() {
-            None | Some(';') => return Ok(words),
-            Some('%') if words.is_empty() && line[start + 1..].trim().is_empty() => {
-                return Ok(words);
-            }
-            Some('(') => rest.skip_comment()?,
-            Some(letter) if letter.is_ascii_alphabetic() => {
-                rest.at += 1;
-                let number = rest.number(start)?;
-                let letter = letter.to_ascii_uppercase();
-                words.push(Word { letter, number, span: start..rest.at });
-            }
-            Some(other) => {
-                return Err(Fault::new(
-                    start..start + other.len_utf8(),
-                    format!("'{}' does not begin a word", other.escape_default()),
-                    "a block is words such as G01 X10.5, comments in ( ) or after ;",
-                ));
+/// A line's text taken apart.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Words {
+    pub(crate) words: Vec<Word>,
+    /// Everything that is no word, from left to right; what follows it is read all the same.
+    pub(crate) faults: Vec<Fault>,
+    /// Whether it begins with the slash of a block that may be left out.
+    pub(crate) is_deletable: bool,
+    /// Whether it is a tape mark, `%`, and nothing else.
+    pub(crate) is_tape_mark: bool,
+}
+
+impl Words {
+    /// Reads a line; blanks and comments are left out.
+    pub(crate) fn read(line: &str) -> Self {
+        let mut read = Self::default();
+        let mut rest = Cursor { line, at: 0 };
+        loop {
+            rest.skip_blanks();
+            let start = rest.at;
+            let is_first = read.words.is_empty() && read.faults.is_empty() && !read.is_deletable;
+            let fault = match rest.peek() {
+                None | Some(';') => return read,
+                Some('%') if is_first && line[start + 1..].trim().is_empty() => {
+                    read.is_tape_mark = true;
+                    return read;
+                }
+                Some('/') if is_first => {
+                    read.is_deletable = true;
+                    rest.at += 1;
+                    None
+                }
+                Some('(') => match rest.skip_comment() {
+                    Ok(()) => None,
+                    // Where it ends is not known.
+                    Err(fault) => {
+                        read.faults.push(fault);
+                        return read;
+                    }
+                },
+                Some(letter) if letter.is_ascii_alphabetic() => {
+                    rest.at += 1;
+                    match rest.number(start) {
+                        Ok(number) => {
+                            let letter = letter.to_ascii_uppercase();
+                            read.words.push(Word { letter, number, span: start..rest.at });
+                            None
+                        }
+                        Err(fault) => Some(fault),
+                    }
+                }
+                Some(other) => {
+                    rest.at += other.len_utf8();
+                    Some(Fault::new(
+                        start..rest.at,
+                        format!("'{}' does not begin a word", other.escape_default()),
+                        "a block is words such as G01 X10.5, comments in ( ) or after ;",
+                    ))
+                }
+            };
+            if let Some(fault) = fault {
+                // One complaint about what belongs together.
+                let rests = line[fault.span.end..].find(|c| !begins_no_word(c));
+                rest.at = rests.map_or(line.len(), |rests| fault.span.end + rests);
+                read.faults.push(fault);
             }
         }
     }
@@ -171,13 +211,20 @@ fn is_no_digit(c: char) -> bool {
     !c.is_ascii_digit() && !matches!(c, '.' | '+' | '-')
 }
 
+/// What is passed over after a fault.
+fn begins_no_word(c: char) -> bool {
+    !c.is_ascii_alphabetic() && !matches!(c, ' ' | '\t' | '(' | ';')
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn texts(line: &str) -> Vec<(char, i64, u32, bool)> {
         let tuple = |w: Word| (w.letter, w.number.digits, w.number.decimals, w.number.has_point);
-        words(line).unwrap().into_iter().map(tuple).collect()
+        let read = Words::read(line);
+        assert_eq!(read.faults, [], "{line}");
+        read.words.into_iter().map(tuple).collect()
     }
 
     #[test]
@@ -198,21 +245,42 @@ mod tests {
             texts(" g1 (feed) x +.50\ty10. ; to the corner"),
             [('G', 1, 0, false), ('X', 5, 1, true), ('Y', 10, 0, true)]
         );
-        assert_eq!(texts("%"), []);
         assert_eq!(texts("X0.000000000000000000000"), [('X', 0, 0, true)]);
         assert_eq!(texts(""), []);
     }
 
     #[test]
+    fn a_slash_and_a_tape_mark() {
+        assert!(Words::read(" % ").is_tape_mark);
+        assert_eq!(texts("%"), []);
+        assert!(Words::read("/N5 G00").is_deletable);
+        assert_eq!(texts(" / X1"), [('X', 1, 0, false)]);
+        assert_eq!(spans("X1 /Y2"), [3..4]);
+        assert_eq!(spans("//"), [1..2]);
+        assert_eq!(spans("X1 %"), [3..4]);
+    }
+
+    fn spans(line: &str) -> Vec<Range<usize>> {
+        Words::read(line).faults.into_iter().map(|fault| fault.span).collect()
+    }
+
+    #[test]
     fn what_is_no_word_is_pointed_at() {
-        let span = |line: &str| words(line).unwrap_err().span;
-        assert_eq!(span("G01 X"), 4..5);
-        assert_eq!(span("G01 X-"), 4..6);
-        assert_eq!(span("G01 #5"), 4..5);
-        assert_eq!(span("X1 (open"), 3..8);
-        assert_eq!(span("X1 (a(b)"), 5..6);
-        assert_eq!(span("é"), 0..2);
-        assert_eq!(span("X1.2.3"), 4..5);
-        assert_eq!(span("X99999999999999999999"), 0..21);
+        assert_eq!(spans("G01 X"), [4..5]);
+        assert_eq!(spans("G01 X-"), [4..6]);
+        assert_eq!(spans("G01 #5"), [4..5]);
+        assert_eq!(spans("X1 (open"), [3..8]);
+        assert_eq!(spans("X1 (a(b)"), [5..6]);
+        assert_eq!(spans("\u{e9}"), [0..2]);
+        assert_eq!(spans("X1.2.3"), [4..5]);
+        assert_eq!(spans("X99999999999999999999"), [0..21]);
+    }
+
+    #[test]
+    fn all_faults_of_a_line_are_found_and_its_other_words_read() {
+        assert_eq!(spans("G01 X Y- #5 Z1 &&"), [4..5, 6..8, 9..10, 15..16]);
+        let letters: String =
+            Words::read("G01 X Y- #5 Z1 &&").words.iter().map(|w| w.letter).collect();
+        assert_eq!(letters, "GZ");
     }
 }
