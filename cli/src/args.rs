@@ -89,6 +89,11 @@ pub(crate) enum Command {
     /// are appended if anything moves out of the plane of X and Y.
     Offset(OffsetArguments),
     /// A G-code program: pulses, waves, a picture and a report
+    ///
+    /// A block that moves in one of the planes XY, ZX and YZ is made by the machine of two axes on the two
+    /// that move; a line that moves X, Y and Z at once by that of three, which dda, brm and min-deviation
+    /// have in hardware. Every output has z if the program ever moves it; the picture shows
+    /// all motions as seen along z.
     Run(Box<RunArguments>),
 }
 

@@ -542,6 +542,21 @@ fn an_empty_folder_that_was_there_stays() {
     assert_eq!(names(folder.path()), ["bad.nc", "out"]);
 }
 
+/// A program is read twice, which a pipe does not allow.
+#[test]
+#[cfg(unix)]
+fn a_program_may_come_through_a_pipe() {
+    let folder = folder(&[]);
+    let text = fs::read_to_string(program("textbook.nc")).unwrap();
+    let mut command = cargo_bin_cmd!("onepulse");
+    let arguments = ["run", "/dev/stdin", "--no-waves", "--out", "piped"];
+    command.current_dir(folder.path()).args(arguments).write_stdin(text).assert().success();
+    report(folder.path(), &format!("{} --no-waves", program("textbook.nc")));
+    let pulses =
+        |out: &str| fs::read_to_string(folder.path().join(out).join("pulses.csv")).unwrap();
+    assert_eq!(pulses("piped"), pulses("out"));
+}
+
 #[test]
 fn files_that_cannot_be_read_are_at_fault() {
     let folder = folder(&[("p.nc", "G01 X5 F100")]);

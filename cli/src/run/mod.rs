@@ -2,6 +2,7 @@
 
 mod block;
 mod checker;
+mod circuits;
 mod coarse;
 mod config;
 mod deviation;
@@ -14,6 +15,8 @@ mod planned;
 mod report;
 mod speed;
 mod survey;
+#[cfg(test)]
+mod tests;
 mod two_level;
 
 use crate::args::RunArguments;

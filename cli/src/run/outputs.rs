@@ -1,20 +1,21 @@
 //! Everything that a run writes, block by block: nothing is kept.
 
+use super::circuits::Circuits;
 use super::config::Config;
 use super::motion_signals::MotionSignals;
 use super::picture::Picture;
 use super::report::{Report, Summary};
 use super::survey::Survey;
 use crate::args::RunArguments;
-use crate::choice::{Method, UpdateName};
+use crate::choice::Method;
 use crate::failure::Failure;
 use crate::motion_settings::MotionSettings;
 use crate::output::{OutputFile, OutputFolder, write_whole};
 use crate::profile::{Row, svg};
 use crate::pulses::{AXES, write_row};
-use onepulse_core::{Direction, Error, Plane, Pulse};
+use onepulse_core::{Plane, Pulse};
+use onepulse_hwmodel::Circuit;
 use onepulse_hwmodel::trace::{BackgroundWriter, Bench, Kind, SignalList, Tracer, Vcd, gtkw, sucl};
-use onepulse_hwmodel::{self as hw, Circuit};
 use onepulse_plan::Motion;
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -61,8 +62,7 @@ struct Waves {
     motion: Option<MotionSignals>,
     /// The end of what was traced.
     traced_until: u64,
-    /// The first signal of each circuit, by its name and axes.
-    circuits: Vec<Declared>,
+    circuits: Circuits,
     /// Clocks of the run so far, and those that are traced.
     run_clocks: u64,
     window: Range<u64>,
@@ -140,8 +140,7 @@ impl Outputs {
                 }
             };
             waves.clocks_per_second = cycles_per_second * C::CLOCKS_PER_CYCLE as f64;
-            let known = waves.circuits.iter().find(|(name, _)| *name == (C::NAME, N));
-            waves.first = known.map_or(0, |(_, first)| *first);
+            waves.first = waves.circuits.first::<C, N>();
             if let Some((_, axes)) = &mut waves.plane {
                 *axes = if N > 2 { IN_SPACE } else { plane as u64 };
             }
@@ -253,7 +252,7 @@ impl Waves {
         let plane = (axes > 2).then(|| (list.add("plane", Kind::Word(&PLANES)), 0));
         let sample = config.two_level.map(|_| list.add("sample", Kind::Bit));
         let motion = config.motion.map(|motion| MotionSignals::declare(&mut list, &motion, axes));
-        let circuits = declare_circuits(&mut list, config, method, survey)
+        let circuits = Circuits::declare(&mut list, config, method, survey)
             .map_err(|why| Failure::Usage(format!("--bits {}: {why}", config.bits)))?;
         let writer = file.background_writer()?;
         let vcd = Vcd::new(writer, &list, EXPONENT).map_err(|error| file.failure(&error))?;
@@ -319,81 +318,4 @@ const IN_SPACE: u64 = 3;
 /// The tick of the time axis at a time in seconds.
 fn ticks(seconds: f64) -> u64 {
     (seconds * TICKS_PER_SECOND).round() as u64
-}
-
-/// A circuit's name and axes, and its first signal.
-type Declared = ((&'static str, usize), usize);
-
-/// The circuits that the method needs, loaded with the smallest curves there are: those of a plane, and that of
-/// lines in space if the program has any.
-fn declare_circuits(
-    list: &mut SignalList,
-    config: &Config,
-    method: &Method,
-    survey: &Survey,
-) -> Result<Vec<Declared>, Error> {
-    fn add<C: Circuit<2>>(list: &mut SignalList, circuit: &C) -> Declared {
-        ((C::NAME, 2), list.add_circuit(circuit))
-    }
-    fn add_in_space<C: Circuit<3>>(
-        list: &mut SignalList,
-        scope: &'static str,
-        circuit: &C,
-    ) -> Declared {
-        ((C::NAME, 3), list.add_circuit_in(scope, circuit))
-    }
-    let (x, y, direction, bits) = ([1, 0], [0, 1], Direction::Ccw, config.bits);
-    let mut circuits = match *method {
-        Method::Ppc { end_rule } => vec![
-            add(list, &hw::ppc::Line::new(x, bits, end_rule)?),
-            add(list, &hw::ppc::Arc::new(x, y, direction, bits, end_rule)?),
-        ],
-        Method::Dda { preset, normalize, update, .. } => {
-            let preset = preset.unwrap_or_default();
-            let line = add(list, &hw::dda::Line::new(x, bits, preset, normalize)?);
-            match update {
-                // Of arcs too it makes lines.
-                _ if config.two_level.is_some() => vec![line],
-                UpdateName::Staggered => {
-                    let arc = hw::dda::CentredArc::new(x, y, direction, bits, normalize)?;
-                    vec![line, add(list, &arc)]
-                }
-                UpdateName::Simultaneous => {
-                    let arc = hw::dda::Arc::new(x, y, direction, bits, preset, normalize)?;
-                    vec![line, add(list, &arc)]
-                }
-            }
-        }
-        Method::Brm { .. } => vec![add(list, &hw::brm::Line::new(x, bits)?)],
-        Method::MinDeviation => vec![
-            add(list, &hw::minimum_deviation::Line::new(x, bits)?),
-            add(list, &hw::minimum_deviation::Arc::new(x, y, direction, bits)?),
-        ],
-        Method::CompareIntegral => vec![
-            add(list, &hw::comparison::Line::new(x, bits)?),
-            add(list, &hw::comparison::Arc::new(x, y, direction, bits)?),
-        ],
-        // A run by it is refused before.
-        Method::Vector => Vec::new(),
-    };
-    if survey.has_lines_in_space {
-        let z = [0, 0, 1];
-        match *method {
-            Method::Dda { preset, normalize, .. } => {
-                let line = hw::dda::Line::new(z, bits, preset.unwrap_or_default(), normalize)?;
-                circuits.push(add_in_space(list, "dda_line_xyz", &line));
-            }
-            Method::Brm { .. } => {
-                let line = hw::brm::Line::new(z, bits)?;
-                circuits.push(add_in_space(list, "brm_line_xyz", &line));
-            }
-            Method::MinDeviation => {
-                let line = hw::minimum_deviation::Line::new(z, bits)?;
-                circuits.push(add_in_space(list, "minimum_deviation_line_xyz", &line));
-            }
-            // These have none: such a program is refused before.
-            Method::Ppc { .. } | Method::Vector | Method::CompareIntegral => {}
-        }
-    }
-    Ok(circuits)
 }

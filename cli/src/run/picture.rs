@@ -181,8 +181,8 @@ fn arc(motion: &Motion, centre: [i64; 2], direction: Direction) -> String {
     format!("M{x} {y}A{radius:.3} {radius:.3} 0 {} {sense} {xe} {ye}", u8::from(is_long))
 }
 
-/// The path of an arc in the ZX or YZ plane, which is seen as a straight one: forth and back between its ends
-/// and those of the two points furthest out that it passes.
+/// The path of an arc in the ZX or YZ plane, which is seen as a straight one: to and fro, by way of the points
+/// furthest out that it passes, to its end.
 fn arc_from_the_side(
     motion: &Motion,
     plane: Plane,
@@ -207,7 +207,7 @@ fn arc_from_the_side(
     passed.sort_by(|one, other| one.0.total_cmp(&other.0));
     let [[x, y], [xe, ye]] = motion.ends_in(Plane::Xy);
     let mut path = format!("M{x} {y}");
-    for (_, at) in passed.into_iter().filter(|(way, _)| *way < sweep) {
+    for (_, at) in passed.into_iter().filter(|(way, _)| 0.0 < *way && *way < sweep) {
         // Either X and Z or Y and Z move.
         path += &if plane == Plane::Yz { format!("L{x} {at:.3}") } else { format!("L{at:.3} {y}") };
     }
