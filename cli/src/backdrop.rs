@@ -93,10 +93,7 @@ impl Backdrop {
 }
 
 /// Circles that a curve stays within: its ends, and of an arc the whole.
-pub(crate) fn reach(
-    [from, to]: [[f64; 2]; 2],
-    arc: Arc,
-) -> impl Iterator<Item = ([f64; 2], f64)> {
+pub(crate) fn reach([from, to]: [[f64; 2]; 2], arc: Arc) -> impl Iterator<Item = ([f64; 2], f64)> {
     let whole = arc.map(|(centre, _)| (centre, (from[0] - centre[0]).hypot(from[1] - centre[1])));
     [(from, 0.0), (to, 0.0)].into_iter().chain(whole)
 }
@@ -118,12 +115,7 @@ pub(crate) fn start(from: [f64; 2], scale: f64) -> String {
 }
 
 /// The curve from where a path has come: a full circle as two halves, as SVG cannot draw it in one.
-pub(crate) fn curve(
-    from: [f64; 2],
-    to: [f64; 2],
-    arc: Arc,
-    scale: f64,
-) -> String {
+pub(crate) fn curve(from: [f64; 2], to: [f64; 2], arc: Arc, scale: f64) -> String {
     let Some((centre, direction)) = arc else { return format!("L{}", point(to, scale)) };
     let [x, y] = [0, 1].map(|axis| from[axis] - centre[axis]);
     let [x_end, y_end] = [0, 1].map(|axis| to[axis] - centre[axis]);

@@ -32,7 +32,8 @@ fn run_in(folder: &Path, motions: &[Motion], options: &str) -> Result<Written, F
     let config = Config::load(&arguments)?;
     let method = Method::from_options(&config.options).map_err(Failure::Usage)?;
     let checker = Checker { config: &config, method: &method, name: "by hand" };
-    let mut survey = Survey::default();
+    let mut survey = Survey::new(config.machine.pulse);
+    let place = Place { line: 1, text: "a block".into(), span: 0..7 };
     motions.iter().for_each(|motion| survey.add(motion));
     let plan = config.motion.map(|settings| Plan::new(motions, &config, settings).unwrap());
     let planned: Vec<_> = match &plan {
@@ -40,13 +41,14 @@ fn run_in(folder: &Path, motions: &[Motion], options: &str) -> Result<Written, F
         Some(plan) => plan.blocks(motions, &config).map(Some).collect(),
     };
     for (motion, planned) in motions.iter().zip(&planned) {
-        checker.check(motion, "a block", planned.as_ref())?;
+        let refused = |wrong| checker.failure(vec![wrong]);
+        checker.check(motion, &place, planned.as_ref()).map_err(refused)?;
     }
-    let outputs = Outputs::create(&arguments, &config, &method, survey)?;
+    let outputs = Outputs::create(&arguments, &config, &method, &survey)?;
     let summary = Summary::new(survey.axes());
-    let mut run = Run { checker, survey, outputs, summary, short: [0; 3] };
+    let mut run = Run { checker, axes: survey.axes(), outputs, summary, short: [0; 3] };
     for (motion, planned) in motions.iter().zip(&planned) {
-        run.block(motion, "a block", planned.as_ref())?;
+        run.block(motion, &place, planned.as_ref())?;
     }
     run.outputs.finish(&run.summary, &config)?;
     let pulses = fs::read_to_string(out.join("pulses.csv")).unwrap();
@@ -190,10 +192,11 @@ fn lines_in_space_are_made_where_there_is_a_circuit() {
         assert!(!is_exact || (seconds / due - 1.0).abs() < 1e-9, "{options}: {seconds}");
     }
     for options in ["--method ppc", "--method compare-integral"] {
-        let Err(Failure::Program { diagnostic, .. }) = run_motions(&motions, options) else {
+        let Err(Failure::Program { wrong, .. }) = run_motions(&motions, options) else {
             panic!("{options} has no such circuit");
         };
-        assert_eq!((diagnostic.line, diagnostic.span), (1, 0..7));
+        let diagnostic = &wrong[0];
+        assert_eq!((diagnostic.place.line, diagnostic.place.span.clone()), (1, 0..7));
         assert!(diagnostic.message.contains(options), "{}", diagnostic.message);
         assert!(diagnostic.help.contains("--method dda"), "{}", diagnostic.help);
     }
