@@ -9,16 +9,14 @@
 //! [`centre_path`] then makes the path of the cutter's centre, with the geometry of [`compensation`].
 //!
 //! ```
-//! use onepulse_plan::centre_path::{CentrePath, Compensation, Step};
+//! use onepulse_plan::centre_path::{CentrePath, Compensation};
 //! use onepulse_plan::{Curve, Machine, Tools, gcode::Program};
 //!
 //! let text = "G90 G21\nG01 X10.5 Y-2.25 F300\nM02\n";
 //! let machine = Machine::with_pulse("0.01".parse()?);
 //! let program = Program::new(text.as_bytes(), &machine, &Tools::Unknown);
-//! let steps: Vec<_> =
-//!     CentrePath::new(program, &machine, Compensation::default()).collect::<Result<_, _>>()?;
-//! let Step::Move(step) = &steps[0] else { panic!("it pauses") };
-//! let motions: Vec<_> = step.motions().collect();
+//! let path = CentrePath::new(program, &machine, Compensation::default());
+//! let motions: Vec<_> = path.motions().collect::<Result<_, _>>()?;
 //! assert_eq!(motions[0].to, [1050, -225, 0]);
 //! assert_eq!(motions[0].curve, Curve::Line);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -3,8 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 use onepulse_core::{Direction, Plane};
+use onepulse_plan::centre_path::{CentrePath, Compensation};
 use onepulse_plan::speed::{AHEAD, Block, Limits, LookAhead, Path, Profile, Sample, Samples};
-use onepulse_plan::{Curve, Machine, Motion, Rate, gcode::Program};
+use onepulse_plan::{Curve, Machine, Motion, Rate, Tools, gcode::Program};
 use proptest::prelude::*;
 use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -385,8 +386,9 @@ fn a_program_is_sampled_through_its_corners() {
     let machine = Machine::with_pulse("0.001".parse().unwrap());
     let limits = limits(None);
     let text = "G91 G01 F3000\nX10.\nG03 X5. Y5. J5.\nG01 X10.\n";
-    let motions: Vec<_> =
-        Program::new(text.as_bytes(), &machine).collect::<Result<Vec<_>, _>>().unwrap();
+    let program = Program::new(text.as_bytes(), &machine, &Tools::Unknown);
+    let path = CentrePath::new(program, &machine, Compensation::default());
+    let motions: Vec<_> = path.motions().collect::<Result<_, _>>().unwrap();
     let paths: Vec<_> =
         motions.iter().map(|motion| Path::of(motion, machine.pulse).unwrap()).collect();
     let blocks = motions.iter().map(|motion| Block::of(motion, &machine, &limits).unwrap());

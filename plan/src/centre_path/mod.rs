@@ -29,7 +29,7 @@ pub use step::{CentreMove, Role, Step};
 
 use crate::compensation::Corners;
 use crate::gcode::{self, Cutter, Phase, ProgramError};
-use crate::{Diagnostic, Machine};
+use crate::{Diagnostic, Machine, Motion};
 use section::Gathered;
 use std::collections::VecDeque;
 
@@ -77,6 +77,18 @@ impl<I: Iterator<Item = Result<gcode::Step, ProgramError>>> CentrePath<I> {
             gouges: Vec::new(),
             is_over: false,
         }
+    }
+
+    /// All motions in pulses, one after the other, whatever pauses are between them.
+    pub fn motions(self) -> impl Iterator<Item = Result<Motion, PathError>> {
+        self.flat_map(|step| {
+            let (motions, error) = match step {
+                Ok(Step::Move(step)) => (step.motions, None),
+                Ok(Step::Pause(_)) => ([None; 2], None),
+                Err(error) => ([None; 2], Some(Err(error))),
+            };
+            motions.into_iter().flatten().map(Ok).chain(error)
+        })
     }
 
     fn advance(&mut self) -> Result<Option<Step>, PathError> {

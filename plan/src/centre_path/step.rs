@@ -58,7 +58,7 @@ pub struct CentreMove {
     /// The block of a contour as programmed, in the plane's own coordinates: once, with the first of
     /// what is made of it.
     pub contour: Option<Element>,
-    motions: [Option<Motion>; 2],
+    pub(super) motions: [Option<Motion>; 2],
 }
 
 impl CentreMove {

@@ -23,12 +23,15 @@
 //!
 //! ```
 //! use onepulse_plan::speed::{Block, Limits, LookAhead, Path, Samples};
-//! use onepulse_plan::{Machine, Motion, gcode::Program};
+//! use onepulse_plan::centre_path::{CentrePath, Compensation};
+//! use onepulse_plan::{Machine, Motion, Tools, gcode::Program};
 //!
 //! let machine = Machine::with_pulse("0.001".parse()?);
 //! let limits = Limits::new(1000.0, Some(20_000.0), 5.0, 500.0)?;
 //! let program = "G91 G01 F3000\nX10.\nG03 X5. Y5. J5.\nG01 Y10.\n";
-//! let motions: Vec<Motion> = Program::new(program.as_bytes(), &machine).collect::<Result<_, _>>()?;
+//! let steps = Program::new(program.as_bytes(), &machine, &Tools::Unknown);
+//! let path = CentrePath::new(steps, &machine, Compensation::default());
+//! let motions: Vec<Motion> = path.motions().collect::<Result<_, _>>()?;
 //! let blocks: Vec<_> =
 //!     motions.iter().map(|motion| Block::of(motion, &machine, &limits)).collect::<Result<_, _>>()?;
 //! let paths: Vec<_> =
