@@ -1,0 +1,441 @@
+//! The dialect beyond lines and arcs of the XY plane: planes, dwells, tools, compensation, block delete.
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+use onepulse_core::{Direction, Plane};
+use onepulse_plan::centre_path::{CentreMove, CentrePath, Compensation, PathError, Role, Step};
+use onepulse_plan::compensation::Corners;
+use onepulse_plan::gcode::Program;
+use onepulse_plan::{Curve, Diagnostic, Machine, Motion, ToolTable, Tools};
+use std::time::Duration;
+
+/// A hundredth of a millimetre a pulse; integers count pulses.
+fn machine() -> Machine {
+    Machine::with_pulse("0.01".parse().unwrap())
+}
+
+fn table() -> Tools {
+    Tools::Table(ToolTable::read("T1 P1 D4.0\nT2 P2 D10.0 ; large\nT7 P3\n").unwrap())
+}
+
+fn path<'a>(program: &'a str, tools: &Tools) -> CentrePath<Program<&'a [u8]>> {
+    let program = Program::new(program.as_bytes(), &machine(), tools);
+    CentrePath::new(program, &machine(), Compensation::default())
+}
+
+fn steps(program: &str, tools: &Tools) -> Vec<Step> {
+    path(program, tools).collect::<Result<_, _>>().unwrap()
+}
+
+/// The moves of a program that go anywhere.
+fn moves(program: &str, tools: &Tools) -> Vec<CentreMove> {
+    let step = |step| match step {
+        Step::Move(step) => Some(step),
+        Step::Pause(_) => None,
+    };
+    let moves = steps(program, tools).into_iter().filter_map(step);
+    moves.filter(|step| step.from != step.to || step.arc.is_some()).collect()
+}
+
+fn motions(program: &str) -> Vec<Motion> {
+    path(program, &Tools::Unknown).motions().collect::<Result<_, _>>().unwrap()
+}
+
+fn refusals(program: &str, tools: &Tools) -> Vec<Diagnostic> {
+    let error = path(program, tools).find_map(Result::err).expect("the program is refused");
+    match error {
+        PathError::Program { wrong, .. } => wrong,
+        PathError::Input(error) => panic!("{error}"),
+    }
+}
+
+/// Each program is refused once, at a line and a column, with this text underlined and these words.
+fn check_refused(tools: &Tools, cases: &[(&str, u32, usize, &str, &str)]) {
+    for &(program, line, column, underlined, words) in cases {
+        let wrong = refusals(program, tools);
+        assert_eq!(wrong.len(), 1, "{program}: {wrong:?}");
+        let Diagnostic { place, message, help, .. } = &wrong[0];
+        assert_eq!((place.line, place.column()), (line, column), "{program}: {message}");
+        assert_eq!(&place.text[place.span.clone()], underlined, "{program}");
+        assert!(message.contains(words), "{program}: {message}");
+        assert!(!help.is_empty(), "{program}");
+    }
+}
+
+#[test]
+fn z_moves_with_the_others_or_alone() {
+    let motions = motions("G01 X5 Y3 Z-2 F100\nZ4\nG91 Z-1.\nG90 X0 Z0");
+    let ends: Vec<_> = motions.iter().map(|motion| motion.to).collect();
+    assert_eq!(ends, [[5, 3, -2], [5, 3, 4], [5, 3, -96], [0, 3, 0]]);
+}
+
+/// Quarter circles of radius 5 from the first axis of each plane to its second, counter-clockwise seen from
+/// the positive end of the axis across it.
+#[test]
+fn arcs_turn_in_their_plane() {
+    let arc = |program: &str| *motions(program).last().unwrap();
+    let expected = |plane, from, to| {
+        let curve = Curve::Arc { plane, centre: [0, 0], direction: Direction::Ccw };
+        (from, to, curve)
+    };
+    for (program, (from, to, curve)) in [
+        ("G00 X5\nG17 G03 X0 Y5 I-5 F1", expected(Plane::Xy, [5, 0, 0], [0, 5, 0])),
+        ("G00 Z5\nG18 G03 Z0 X5 K-5 F1", expected(Plane::Zx, [0, 0, 5], [5, 0, 0])),
+        ("G00 Y5\nG19 G03 Y0 Z5 J-5 F1", expected(Plane::Yz, [0, 5, 0], [0, 0, 5])),
+        ("G00 Z5\nG18 G03 Z0 X5 R5 F1", expected(Plane::Zx, [0, 0, 5], [5, 0, 0])),
+        ("G00 Y5\nG19 G03 Y0 Z5 R5 F1", expected(Plane::Yz, [0, 5, 0], [0, 0, 5])),
+    ] {
+        let found = arc(program);
+        assert_eq!((found.from, found.to, found.curve), (from, to, curve), "{program}");
+    }
+    // G02 the other way round: three quarters.
+    let Curve::Arc { direction, .. } = arc("G00 Z5\nG18 G02 Z0 X5 K-5 F1").curve else { panic!() };
+    assert_eq!(direction, Direction::Cw);
+    // What lies across stays where it is.
+    let raised = arc("G00 Z5 Y9\nG18 G03 Z0 X5 K-5 F1");
+    assert_eq!((raised.from, raised.to), ([0, 9, 5], [5, 9, 0]));
+}
+
+#[test]
+fn arcs_have_the_words_of_their_plane() {
+    check_refused(
+        &Tools::Unknown,
+        &[
+            ("G02 X5 Y5 I5 K1 F1", 1, 14, "K1", "no coordinate of the plane XY"),
+            ("G18 G02 X5 Z5 J5 F1", 1, 15, "J5", "no coordinate of the plane ZX"),
+            ("G19 G02 Y5 Z5 I5 F1", 1, 15, "I5", "no coordinate of the plane YZ"),
+            ("G02 X5 Y5 Z1 I5 F1", 1, 11, "Z1", "does not move Z"),
+            ("G18 G02 X5 Z5 Y1 I5 F1", 1, 15, "Y1", "does not move Y"),
+            ("G01 X1 K2 F1", 1, 8, "K2", "belong to arcs"),
+        ],
+    );
+    // Where the word says that it stays there, it stays there.
+    assert_eq!(motions("G00 Z1\nG02 X10 Z1 I5 F1").len(), 2);
+}
+
+#[test]
+fn pauses_come_in_their_place() {
+    let program = "G04 P0.5\nG00 X5 M00\nG04 X2.\nG04 P0.000000001\nG91 G04 P3\nG01 X1 F1\nM00";
+    let shown: Vec<_> = steps(program, &Tools::Unknown)
+        .into_iter()
+        .map(|step| match step {
+            Step::Move(step) => (step.place.line, None),
+            Step::Pause(pause) => (pause.place.line, Some(pause.dwell)),
+        })
+        .collect();
+    let dwell = |nanoseconds| Some(Some(Duration::from_nanos(nanoseconds)));
+    assert_eq!(
+        shown,
+        [
+            (1, dwell(500_000_000)),
+            (2, None),
+            (2, Some(None)),
+            (3, dwell(2_000_000_000)),
+            (4, dwell(1)),
+            (5, dwell(3_000_000_000)),
+            (6, None),
+            (7, Some(None)),
+        ]
+    );
+    // The X of a dwell is no coordinate; the modes of its block hold.
+    assert_eq!(moves(program, &Tools::Unknown)[1].to, [0.06, 0.0, 0.0]);
+}
+
+#[test]
+fn dwells_have_one_time_and_no_motion() {
+    check_refused(
+        &Tools::Unknown,
+        &[
+            ("G04", 1, 1, "G04", "without a time"),
+            ("G04 P1 X1", 1, 8, "X1", "two times"),
+            ("G04 P-1", 1, 5, "P-1", "no time"),
+            ("G04 P1000001", 1, 5, "P1000001", "no time"),
+            ("G04 P0.0000000001", 1, 5, "P0.0000000001", "no time"),
+            ("G04 P1 Y1", 1, 8, "Y1", "moves nothing"),
+            ("G04 P1 Z1", 1, 8, "Z1", "moves nothing"),
+            ("G04 P1 I1", 1, 8, "I1", "moves nothing"),
+            ("G04 G01 P1 F1", 1, 5, "G01", "a dwell and a motion"),
+            ("G00 X1 P1", 1, 8, "P1", "P without a dwell"),
+        ],
+    );
+}
+
+#[test]
+fn blocks_with_a_slash_are_left_out_if_asked() {
+    let program = "G00 X5\n/ X6\n/N3 G00 X7\nX8\n/ Q%\n";
+    let lines = |block_delete| {
+        let machine = Machine { block_delete, ..machine() };
+        let program = Program::new(program.as_bytes(), &machine, &Tools::Unknown);
+        let path = CentrePath::new(program, &machine, Compensation::default());
+        let motions: Result<Vec<_>, _> = path.motions().collect();
+        motions.map(|motions| motions.iter().map(|motion| motion.line).collect::<Vec<_>>())
+    };
+    assert_eq!(lines(true).unwrap(), [1, 4]);
+    // Else they are blocks as any other, and read as such.
+    let PathError::Program { wrong, .. } = lines(false).unwrap_err() else { panic!() };
+    assert_eq!(wrong.len(), 1, "{wrong:?}");
+    assert_eq!(wrong[0].place.line, 5);
+}
+
+#[test]
+fn nothing_comes_after_the_second_tape_mark() {
+    assert_eq!(motions("(part)\n%\nG00 X5\n%\nQ X6").len(), 1);
+    assert_eq!(motions("G00 X5\n%\nX6").len(), 1);
+}
+
+#[test]
+fn tools_and_spindle_speeds_stay() {
+    let program = "G00 X1\nT2 S1200.5\nX2\nX3 T1\nS0 X4";
+    let found: Vec<_> =
+        moves(program, &table()).iter().map(|step| (step.tool, step.spindle)).collect();
+    assert_eq!(
+        found,
+        [(None, None), (Some(2), Some(1200.5)), (Some(1), Some(1200.5)), (Some(1), Some(0.0))]
+    );
+    check_refused(
+        &table(),
+        &[
+            ("S-1", 1, 1, "S-1", "not negative"),
+            ("T-1", 1, 1, "T-1", "a whole number"),
+            ("T1.5", 1, 1, "T1.5", "a whole number"),
+            ("D1.", 1, 1, "D1.", "a whole number"),
+            ("D99999999999", 1, 1, "D99999999999", "a whole number"),
+        ],
+    );
+}
+
+/// The square of the doc example, once round from the middle of its left side, with words in the block that
+/// establishes the compensation and before it.
+fn square(before: &str, words: &str) -> String {
+    format!(
+        "G00 X-30. Y10. {before}\nG01 {words} X0. F600\nY20.\nX20.\nY0.\nX0.\nY10.\nG40 X-30.\nM02\n"
+    )
+}
+
+/// How far the path is from the square's left side.
+fn radius(program: &str, tools: &Tools) -> f64 {
+    let moves = moves(program, tools);
+    let offset = moves.iter().find(|step| step.role == Role::Offset).unwrap();
+    -offset.from[0]
+}
+
+#[test]
+fn radii_come_from_the_table_by_d_or_else_by_t() {
+    assert_eq!(radius(&square("", "G41 D1"), &table()), 2.0);
+    assert_eq!(radius(&square("", "G41 D2"), &table()), 5.0);
+    assert_eq!(radius(&square("T2", "G41"), &table()), 5.0);
+    assert_eq!(radius(&square("T2 D1", "G41"), &table()), 2.0);
+    assert_eq!(radius(&square("", "G41 T1"), &table()), 2.0);
+    // No diameter in the table, and no offset at all.
+    assert_eq!(radius(&square("", "G41 D7"), &table()), 0.0);
+    assert_eq!(radius(&square("", "G41 D0"), &table()), 0.0);
+    assert_eq!(radius(&square("", "G41"), &Tools::Radius(3.0)), 3.0);
+    assert_eq!(radius(&square("", "G41 D2"), &Tools::Radius(3.0)), 3.0);
+    check_refused(
+        &table(),
+        &[
+            ("G00 X1\nG41 D3 X2", 2, 5, "D3", "tool 3 is not in the tool table"),
+            ("G00 X1\nG41 X2", 2, 1, "G41", "without a tool"),
+        ],
+    );
+    check_refused(
+        &Tools::Unknown,
+        &[("G00 X1\nG41 D3 X2", 2, 5, "D3", "the cutter's radius is not known")],
+    );
+}
+
+#[test]
+fn side_and_radius_change_between_cancelling_and_establishing() {
+    // From outside on its left, and then from inside on its right.
+    let inside = "G00 X10.\nG42 D2 G01 X0.\nY20.\nX20.\nY0.\nX0.\nY10.\nG40 X10.\nM02\n";
+    let twice = square("", "G41 D1").replace("M02\n", inside);
+    let moves = moves(&twice, &table());
+    let establish: Vec<_> = moves.iter().filter(|step| step.role == Role::Establish).collect();
+    assert_eq!(establish.len(), 2);
+    assert_eq!(establish[0].to[0], -2.0);
+    assert_eq!(establish[1].to[0], 5.0);
+}
+
+#[test]
+fn changes_while_compensated_are_refused() {
+    let with =
+        |block: &str| square("", "G41 D1").replace("X20.\nY0", &format!("X20.\n{block}\nY0"));
+    for (block, underlined, words) in [
+        ("G42", "G42", "the side changes"),
+        ("D2", "D2", "radius changes"),
+        ("G41 D2", "D2", "radius changes"),
+        ("G18", "G18", "the plane changes"),
+        ("G40 G02 X30. Y10. R10.", "G40 G02 X30. Y10. R10.", "cancelled on a line"),
+    ] {
+        let program = with(block);
+        let wrong = refusals(&program, &table());
+        let Diagnostic { place, message, .. } = &wrong[0];
+        assert_eq!((place.line, &place.text[place.span.clone()]), (5, underlined), "{wrong:?}");
+        assert!(message.contains(words), "{message}");
+        // G02 stays, and what follows is no arc.
+        assert_eq!(wrong.len(), if block.contains("G02") { 5 } else { 1 }, "{wrong:?}");
+    }
+    // The same again changes nothing.
+    let again = moves(&with("G41 D1 G17"), &table());
+    assert_eq!(again.len(), moves(&square("", "G41 D1"), &table()).len());
+    check_refused(
+        &table(),
+        &[
+            (
+                "G00 X1\nG41 D1 G02 X5 Y0 I2 F1\nG40 G00 X9",
+                2,
+                1,
+                "G41 D1 G02 X5 Y0 I2 F1",
+                "established on a line",
+            ),
+            ("G00 X1\nG41 D1 X2\nX5.\nM30", 4, 1, "M30", "while the cutter is compensated"),
+            ("G00 X1\nG41 D1 X2\nX5.", 3, 4, "", "while the cutter is compensated"),
+            ("G00 X1\nG41 D1 X2\nX5.\nG40\n%\n", 5, 1, "", "while the cutter is compensated"),
+            ("G00 X1\nG41 D1 X2\nX5.\nG40\nG42 X9\nM02", 5, 1, "G42", "not cancelled yet"),
+        ],
+    );
+}
+
+/// What does not move in the plane, and what does not move, changes nothing of the contour.
+#[test]
+fn plunges_and_pauses_come_where_they_stand() {
+    let plain = moves(&square("", "G41 D1"), &table());
+    let program = square("", "G41 D1").replace("X20.\nY0", "G04 P1\nZ-5.\nX20.\nX20.\nZ3. M00\nY0");
+    let steps = steps(&program, &table());
+    let mut flat = Vec::new();
+    let mut heights = Vec::new();
+    let mut pauses = Vec::new();
+    for step in &steps {
+        match step {
+            Step::Move(step) if step.from[..2] == step.to[..2] => {
+                heights.push((step.from, step.to));
+            }
+            Step::Move(step) => flat.push((step.from[..2].to_vec(), step.to[..2].to_vec())),
+            Step::Pause(_) => pauses.push(flat.len()),
+        }
+    }
+    let due: Vec<_> =
+        plain.iter().map(|step| (step.from[..2].to_vec(), step.to[..2].to_vec())).collect();
+    assert_eq!(flat, due);
+    // The upper left and the upper right corner, extended.
+    assert_eq!(heights[0], ([-2.0, 22.0, 0.0], [-2.0, 22.0, -5.0]));
+    assert_eq!(heights[1], ([22.0, 22.0, -5.0], [22.0, 22.0, 3.0]));
+    assert_eq!(pauses, [3, 4]);
+}
+
+/// The same contour in the three planes: the coordinates change their names.
+#[test]
+fn contours_are_compensated_in_their_plane() {
+    let program = "G00 X-30. Y10.\nG41 D1 G01 X0. F600\nY20.\nG02 X20. Y0. I0. J-20.\nG01 X0.\nY10.\nG40 X-30.\n";
+    let renamed = |from: [&str; 4], to: [&str; 4]| {
+        let mut text = program.to_owned();
+        for (at, name) in from.iter().enumerate() {
+            text = text.replace(name, &format!("<{at}>"));
+        }
+        for (at, name) in to.iter().enumerate() {
+            text = text.replace(&format!("<{at}>"), name);
+        }
+        text
+    };
+    let names = ["X", "Y", "I", "J"];
+    let xy = moves(program, &table());
+    assert_eq!(xy.iter().filter(|step| step.role == Role::Offset).count(), 4);
+    for (g, plane, to) in
+        [("G18", Plane::Zx, ["Z", "X", "K", "I"]), ("G19", Plane::Yz, ["Y", "Z", "J", "K"])]
+    {
+        let other = moves(&format!("{g}\n{}", renamed(names, to)), &table());
+        assert_eq!(other.len(), xy.len());
+        for (one, other) in xy.iter().zip(&other) {
+            assert_eq!(plane.place(one.from), other.from);
+            assert_eq!(plane.place(one.to), other.to);
+            assert_eq!(one.arc, other.arc);
+            assert_eq!((one.role, other.plane), (other.role, plane));
+        }
+    }
+}
+
+#[test]
+fn overcuts_name_their_lines_before_any_motion() {
+    let program = "G00 X0. Y-20.\nG41 D2 G01 Y0. F600\nY30.\nX-30.\nG03 X-34. Y26. J-4.\nG01 Y0.\nX-60.\nG40 Y-20.\nM02\n";
+    let mut steps = path(program, &table());
+    let mut before = 0;
+    let error = loop {
+        match steps.next().unwrap() {
+            Ok(_) => before += 1,
+            Err(error) => break error,
+        }
+    };
+    // Only the rapid to the start.
+    assert_eq!(before, 1);
+    let PathError::Program { wrong, gouges } = error else { panic!() };
+    assert!(
+        wrong
+            .iter()
+            .any(|found| found.place.line == 5 && found.message.contains("larger than the arc"))
+    );
+    assert_eq!(gouges.len(), 1);
+    assert_eq!(gouges[0].radius, 5.0);
+    assert_eq!(gouges[0].contour.len(), 7);
+}
+
+/// Errors of the program and overcuts before them come together, in the order of the lines.
+#[test]
+fn overcuts_and_errors_are_told_in_one_pass() {
+    let program = "G00 X0. Y-20.\nG41 D2 G01 Y0. F600\nG03 X-8. R4.\nG40 G01 Y-20.\nG01 Q5\nG54\n";
+    let lines: Vec<_> = refusals(program, &table()).iter().map(|wrong| wrong.place.line).collect();
+    assert_eq!(lines, [3, 5, 6]);
+}
+
+#[test]
+fn the_types_and_corners_differ_as_they_should() {
+    let program = square("", "G41 D1");
+    let count = |compensation| {
+        let steps = Program::new(program.as_bytes(), &machine(), &table());
+        let path = CentrePath::new(steps, &machine(), compensation);
+        let steps: Vec<_> = path.collect::<Result<Vec<_>, _>>().unwrap();
+        let arcs = steps.iter().filter(|step| match step {
+            Step::Move(step) => step.arc.is_some(),
+            Step::Pause(_) => false,
+        });
+        arcs.count()
+    };
+    assert_eq!(count(Compensation::C(Corners::Straight)), 0);
+    // Four of the square; the turns at its start and end go inside.
+    assert_eq!(count(Compensation::C(Corners::Arcs)), 4);
+}
+
+/// A mismatch of the radii within the tolerance: the compensated arc is on one circle, through both ends.
+#[test]
+fn compensated_arcs_run_through_both_their_ends() {
+    let program = "G00 X30. Y0.\nG41 D1 G01 X20. F600\nG03 X0. Y20.004 I-20.\nG01 X-5.\nG40 Y40.\n";
+    let moves = moves(program, &table());
+    let arc = moves.iter().find(|step| step.arc.is_some()).unwrap();
+    let (centre, _) = arc.arc.unwrap();
+    let from = |point: [f64; 3]| (point[0] - centre[0]).hypot(point[1] - centre[1]);
+    assert!((from(arc.from) - from(arc.to)).abs() < 1e-9);
+    assert!((from([20.0, 0.0, 0.0]) - from([0.0, 20.004, 0.0])).abs() < 1e-9);
+    assert!((from(arc.from) - (from([20.0, 0.0, 0.0]) - 2.0)).abs() < 1e-9);
+    // Nowhere further than the tolerance from the circle that is programmed.
+    assert!(centre[0].hypot(centre[1]) < 0.005, "{centre:?}");
+    // A nearly whole turn has no such circle.
+    let program =
+        "G00 X30. Y0.\nG41 D1 G01 X20. F600\nG03 X20.004 Y-0.001 I-20.\nG01 Y5.\nG40 X40.\n";
+    let wrong = refusals(program, &table());
+    assert!(wrong[0].message.contains("nearly whole turn"), "{wrong:?}");
+    assert_eq!(wrong[0].place.line, 3);
+}
+
+/// The pulses of a compensated path end where the exact path does.
+#[test]
+fn compensated_paths_are_rounded_point_by_point() {
+    let program = square("", "G41 D1");
+    let mut at = [0; 3];
+    for step in steps(&program, &table()) {
+        let Step::Move(step) = step else { continue };
+        for motion in step.motions() {
+            assert_eq!(motion.from, at);
+            at = motion.to;
+        }
+        assert_eq!(at, step.to.map(|c| (c * 100.0).round() as i32));
+    }
+    assert_eq!(at, [-3000, 1000, 0]);
+}
