@@ -45,10 +45,16 @@ fn row(text: &mut String, step: &CentreMove, is_flat: bool) {
     text.push('\n');
 }
 
-/// Far finer than the path is exact, so that nothing is lost.
+/// Far finer than the path is exact, so that nothing is lost; at least six decimals.
 fn millimetres(value: f64) -> String {
+    let text = format!("{value:.12}");
+    let (shortest, tail) = text.split_at(text.len() - 6);
+    let text = format!("{shortest}{}", tail.trim_end_matches('0'));
     // No minus before a zero.
-    format!("{:.12}", value + 0.0)
+    match text.strip_prefix('-') {
+        Some(zero) if zero.bytes().all(|byte| matches!(byte, b'0' | b'.')) => zero.to_owned(),
+        _ => text,
+    }
 }
 
 const fn role(role: Role) -> &'static str {
