@@ -1,8 +1,8 @@
-//! Every form of transition between lines and arcs of both senses, on both sides, in the run, when establishing
-//! and when cancelling.
+//! Every form of transition between lines and arcs of both senses, on both sides, in the run, when
+//! establishing and when cancelling.
 
 use super::{Point, arc, assert_path, distance, line, section};
-use crate::compensation::{Corners, Cut, Element, OvercutKind, Role, Side, b_type, c_type};
+use crate::compensation::{Corners, Element, OvercutKind, Role, Side, b_type, c_type};
 use Role::{Cancel, Corner, Establish, Offset};
 use onepulse_core::Direction::{Ccw, Cw};
 
@@ -10,8 +10,8 @@ const RADIUS: f64 = 4.0;
 const ARC: f64 = 30.0;
 /// Short enough that no two of the arcs meet again.
 const LENGTH: f64 = 25.0;
-/// Turns towards the tool, in degrees, and the points at which the tangents turn.
-const TURNS: [f64; 3] = [60.0, -45.0, -120.0];
+/// Turns towards the tool, in degrees: shortened, extended twice, with a link inserted twice.
+const TURNS: [f64; 5] = [60.0, -45.0, -89.9, -90.1, -120.0];
 /// A line, an arc to the left, an arc to the right.
 const BENDS: [f64; 3] = [0.0, 1.0, -1.0];
 const CORNER: Point = [7.0, -3.0];
@@ -96,8 +96,8 @@ fn pairs(turn: f64) -> Vec<(Way, Way, Side)> {
     pairs
 }
 
-/// The points at which the path turns at an outside corner, from the definitions: where the tangents at the tips
-/// meet, or the tips carried on by the radius.
+/// The points at which the path turns at an outside corner, from the definitions: where the
+/// tangents at the tips meet, or the tips carried on by the radius.
 fn turns(before: Way, after: Way, turn: f64) -> Vec<Point> {
     let on = |way: Way, by: f64| {
         let ([x, y], tip) = (way.tangent(), way.at(0.0, RADIUS));
@@ -110,7 +110,8 @@ fn turns(before: Way, after: Way, turn: f64) -> Vec<Point> {
     }
 }
 
-/// Where the tool, on its way along the first way's offset, comes to touch the second: by stepping and halving.
+/// Where the tool, on its way along the first way's offset, comes to touch the second: by stepping
+/// and halving.
 fn touch(before: Way, after: Way) -> Point {
     let is_free = |way: f64| after.away(before.at(way, RADIUS)) >= RADIUS;
     // From the corner backward, where the tool is too near, to the first place where it is not.
@@ -279,12 +280,27 @@ fn full_circles_inside_and_outside() {
 }
 
 #[test]
+fn a_full_circle_stays_one_whatever_the_rounding() {
+    for i in 0..1000 {
+        let heading = 0.1 + f64::from(i);
+        let ([x, y], start) = ([heading.cos(), heading.sin()], [0.1 * f64::from(i), 0.7]);
+        let touch = [start[0] + 20.3 * x, start[1] + 20.3 * y];
+        let centre = [touch[0] - 9.1 * y, touch[1] + 9.1 * x];
+        let leave = [touch[0] + 20.3 * x, touch[1] + 20.3 * y];
+        let circle = arc(touch, touch, centre, Ccw);
+        let section = section(&[line(start, touch), circle, line(touch, leave)]);
+        for side in [Side::Left, Side::Right] {
+            let path = c_type(&section, side, 3.3, Corners::Straight).unwrap();
+            let [from, to] = path[1].element.ends();
+            assert_eq!(from, to);
+        }
+    }
+}
+
+#[test]
 fn a_full_circle_cut_short_at_both_ends() {
-    // Inside a circle about (0, 0) of radius 10 with r = 5, between two walls along the x axis: from the left wall
-    // up round the circle, clockwise. The offset of the line y = 0 is y = 5 seen from (-10, 0).
+    // Along a wall to a round pillar, clockwise round it, and back along the wall, which has no thickness.
     let circle = arc([-10.0, 0.0], [-10.0, 0.0], [0.0, 0.0], Cw);
-    let expected_sweep =
-        |cut: &Cut| matches!(cut.element, Element::Arc { from, to, .. } if from != to);
     let start = [-40.0, 0.0];
     let walls = super::unchecked(section(&[
         line(start, [-30.0, 0.0]),
@@ -293,7 +309,7 @@ fn a_full_circle_cut_short_at_both_ends() {
         line([-10.0, 0.0], [-30.0, 0.0]),
         line([-30.0, 0.0], [-40.0, 0.0]),
     ]));
-    // On the left, outside the circle: at (-10, 0) both corners are inside ones, of a right angle.
+    // The pillar's offset has the radius 15 and meets y = ±5.
     let path = c_type(&walls, Side::Left, 5.0, Corners::Straight);
     let x = -f64::sqrt(15.0 * 15.0 - 5.0 * 5.0);
     let expected = [
@@ -304,7 +320,9 @@ fn a_full_circle_cut_short_at_both_ends() {
         (Cancel, 4, [-40.0, 0.0]),
     ];
     assert_path(&path, start, &expected);
-    assert!(expected_sweep(&path.unwrap()[2]));
+    // Round the far side.
+    let middle = super::sample(&path.unwrap()[2].element, 2)[1];
+    assert!(distance(middle, [15.0, 0.0]) < 1e-9);
 }
 
 #[test]
@@ -352,7 +370,8 @@ fn round_the_tip_of_a_line_that_doubles_back() {
 
 #[test]
 fn arcs_that_turn_back_bend_apart_or_together() {
-    // Up to (0, 0) and back down, on the right of the way up an arc that bends to the left, and the other way round.
+    // Up to (0, 0) and back down, on the right of the way up an arc that bends to the left, and the
+    // other way round.
     let [left, right] = [[-20.0, 0.0], [20.0, 0.0]].map(|centre| {
         let end = [centre[0], -20.0];
         let is_left = centre[0] < 0.0;
