@@ -123,6 +123,13 @@ fn assert_made(motions: &[Motion], written: &Written) {
             assert_eq!(block["pulses"][name], counts[axis], "{block}");
             assert_eq!(block["residual"][name], 0, "{block}");
         }
+        // Of two levels the parts bound the whole, but for rounding in floats.
+        if let Some(sampling) = block.get("sampling") {
+            let parts = ["chord_error", "radius_error", "rounding", "fine"];
+            let bound: f64 = parts.iter().map(|part| sampling[part].as_f64().unwrap()).sum();
+            let found = block["largest_deviation"].as_f64().unwrap();
+            assert!(found <= bound + 1e-9, "{block}");
+        }
         if let Some(plane) = motion.plane() {
             let [_, _, across] = plane.axes();
             assert_eq!(counts[across], 0, "nothing moves across the plane: {motion:?}");
@@ -208,8 +215,12 @@ fn z_shows_if_it_ever_moves() {
     let plane = chained(&[([5, 3, 0], Curve::Line), ([0, 0, 0], Curve::Line)]);
     let late = chained(&[([5, 3, 0], Curve::Line), ([5, 3, -4], Curve::Line)]);
     let options = "--two-level --accelerate --servo-gain 30";
+    // It ends where it began.
+    let direction = Direction::Ccw;
+    let circle = chained(&[([0; 3], Curve::Arc { plane: Plane::Yz, centre: [9, 0], direction })]);
+    let space = "line,cycle,dx,dy,dz,x,y,z";
     for (motions, header, has_z) in
-        [(plane, "line,cycle,dx,dy,x,y", false), (late, "line,cycle,dx,dy,dz,x,y,z", true)]
+        [(plane, "line,cycle,dx,dy,x,y", false), (late, space, true), (circle, space, true)]
     {
         let folder = tempfile::tempdir().unwrap();
         let written = run_in(folder.path(), &motions, options).unwrap();
