@@ -14,7 +14,7 @@
 
 use super::corner::openness;
 use super::curve::End;
-use super::vector::{Vector, ahead, cross, dot, scaled, sum};
+use super::vector::{Vector, ahead, cross, dot, length, scaled, sum};
 
 /// What rounding may make of a discriminant of nothing, that of offsets that just touch.
 const ROUNDING: f64 = 1e-12;
@@ -46,12 +46,29 @@ pub(super) fn meeting(before: &End, after: &End, radius: f64) -> Option<Meeting>
     // x₁ times the sine of the turn, and w divided by it.
     let x1 = [k1 * n2[1] - k2 * n1[1], k2 * n1[0] - k1 * n2[0]];
     let w = (radius / open).powi(2) * cross(n1, n2) / (b + discriminant.max(0.0).sqrt());
-    let x = ahead(x0, w, x1);
+    let x = settled(ahead(x0, w, x1), before, after, radius);
     Some(Meeting {
         point: sum(before.point, x),
         before: way(before, x, -1.0),
         after: way(after, x, 1.0),
     })
+}
+
+/// The meeting once more, by a step of Newton's method: far from a corner that nearly turns back, x₀ and w x₁
+/// are large and nearly cancel. Where the offsets nearly touch, such a step would go astray, and x is as good
+/// as it gets.
+fn settled(x: Vector, before: &End, after: &End, radius: f64) -> Vector {
+    let missed = |end: &End| {
+        let w = (dot(x, x) - radius * radius) / 2.0;
+        dot(end.normal, x) - radius - end.curvature * w
+    };
+    let slope = |end: &End| ahead(end.normal, -end.curvature, x);
+    let (s1, s2) = (slope(before), slope(after));
+    let (m1, m2) = (missed(before), missed(after));
+    let determinant = cross(s1, s2);
+    let step = [(m1 * s2[1] - m2 * s1[1]) / determinant, (m2 * s1[0] - m1 * s2[0]) / determinant];
+    let is_small = length(step) <= 1e-6 * (length(x) + radius);
+    if is_small { ahead(x, -1.0, step) } else { x }
 }
 
 /// How far along the programmed curve the point is that the tool touches from x, forward or backward.
