@@ -2,6 +2,7 @@
 
 use ariadne::{Config, IndexType, Label, Report, ReportKind, Source};
 use onepulse_plan::centre_path::{Gouge, PathError};
+use onepulse_plan::gcode::MOST_ERRORS;
 use onepulse_plan::{Diagnostic, Place};
 use std::io::{self, IsTerminal};
 use std::path::Path;
@@ -66,6 +67,9 @@ impl Failure {
                 let in_colour = io::stderr().is_terminal();
                 for diagnostic in &wrong {
                     eprint!("{}", underlined(&file, diagnostic, in_colour));
+                }
+                if wrong.len() >= MOST_ERRORS {
+                    eprintln!("These are the first {MOST_ERRORS}: there may be more.");
                 }
                 if !gouges.is_empty() {
                     eprintln!(

@@ -32,6 +32,7 @@ use deviation::Deviation;
 use indicatif::{ProgressBar, ProgressStyle};
 use interpolated::Interpolated;
 use onepulse_plan::centre_path::Step;
+use onepulse_plan::gcode::MOST_ERRORS;
 use onepulse_plan::{Motion, Place};
 use outputs::{Outputs, Pace};
 use planned::{Plan, PlannedBlock};
@@ -39,9 +40,6 @@ use report::{BlockReport, Summary};
 use std::fs::File;
 use std::io::{self, BufReader, Seek};
 use survey::Survey;
-
-/// Blocks that are refused in one pass.
-const MOST_ERRORS: usize = 20;
 
 pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let config = Config::load(arguments)?;

@@ -11,7 +11,8 @@ use std::io;
 pub enum PathError {
     /// The program cannot be read.
     Input(io::Error),
-    /// It has errors, at least one, in the order of its lines.
+    /// It has errors, at least one and the first [`MOST_ERRORS`](crate::gcode::MOST_ERRORS), in the
+    /// order of its lines.
     Program {
         /// What is wrong.
         wrong: Vec<Diagnostic>,
@@ -29,7 +30,7 @@ pub struct Gouge {
     pub contour: Vec<Element>,
     /// The cutter's radius.
     pub radius: f64,
-    /// Where, at least once.
+    /// Where, at least once and not more often than errors are told.
     pub overcuts: Vec<Overcut>,
 }
 

@@ -28,7 +28,7 @@ pub use gouge::{Gouge, PathError};
 pub use step::{CentreMove, Role, Step};
 
 use crate::compensation::Corners;
-use crate::gcode::{self, Cutter, Phase, ProgramError};
+use crate::gcode::{self, Cutter, MOST_ERRORS, Phase, ProgramError};
 use crate::{Diagnostic, Machine, Motion};
 use section::Gathered;
 use std::collections::VecDeque;
@@ -99,8 +99,8 @@ impl<I: Iterator<Item = Result<gcode::Step, ProgramError>>> CentrePath<I> {
                 }
             }
             self.ready.clear();
-            if self.is_over {
-                return Ok(None);
+            if self.wrong.len() >= MOST_ERRORS {
+                return Err(self.end());
             }
             match self.steps.next() {
                 Some(Ok(step)) => self.take(step),
@@ -143,6 +143,7 @@ impl<I: Iterator<Item = Result<gcode::Step, ProgramError>>> CentrePath<I> {
     fn end(&mut self) -> PathError {
         let mut wrong = std::mem::take(&mut self.wrong);
         wrong.sort_by_key(|diagnostic| diagnostic.place.line);
+        wrong.truncate(MOST_ERRORS);
         PathError::Program { wrong, gouges: std::mem::take(&mut self.gouges) }
     }
 }

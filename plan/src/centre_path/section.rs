@@ -4,7 +4,9 @@ use super::gouge::Gouge;
 use super::step::{CentreMove, Role, Step, role};
 use super::{Compensation, overcut};
 use crate::compensation::{self, Block, Cut, Element, Section, Side, b_type, c_type};
-use crate::gcode::{self, Cutter, Fault, Move, Phase, ProgrammedArc, in_pulses, too_far};
+use crate::gcode::{
+    self, Cutter, Fault, MOST_ERRORS, Move, Phase, ProgrammedArc, in_pulses, too_far,
+};
 use crate::{Diagnostic, Length, Place, Rate};
 use onepulse_core::Direction;
 
@@ -64,7 +66,9 @@ impl Gathered {
         let section = Section { approach, contour: blocks, leave };
         let cuts = match cuts(&section, side, radius, compensation) {
             Ok(cuts) => cuts,
-            Err(overcuts) => {
+            Err(mut overcuts) => {
+                overcuts.sort_by_key(|overcut| overcut.line);
+                overcuts.truncate(MOST_ERRORS);
                 let places = self.places();
                 let wrong = overcuts.iter().map(|overcut| overcut::diagnostic(overcut, &places));
                 return Err((wrong.collect(), Some(Gouge { plane, contour, radius, overcuts })));

@@ -37,6 +37,6 @@ mod word;
 
 pub(crate) use arc::ProgrammedArc;
 pub(crate) use modes::{in_pulses, too_far};
-pub use program::{Program, ProgramError};
+pub use program::{MOST_ERRORS, Program, ProgramError};
 pub use step::{Cutter, Move, Pause, Phase, Step};
 pub(crate) use word::{Fault, Number, Words};

@@ -34,15 +34,15 @@ pub struct Program<R> {
 pub enum ProgramError {
     /// It cannot be read.
     Input(io::Error),
-    /// It has errors, at least one, in the order of its lines.
+    /// It has errors, at least one and the first [`MOST_ERRORS`], in the order of its lines.
     Program(Vec<Diagnostic>),
 }
 
 /// The longest line that is read, in bytes.
 const LONGEST_LINE: u64 = 4096;
 
-/// Errors that are told in one pass.
-const MOST_ERRORS: usize = 20;
+/// Errors that are told in one pass, at most.
+pub const MOST_ERRORS: usize = 20;
 
 impl<R: BufRead> Program<R> {
     /// The program in `input`, for a machine and its cutters. It starts in (0,0,0) with G17, G21, G40
@@ -128,6 +128,9 @@ impl<R: BufRead> Program<R> {
     }
 
     fn fault(&mut self, Fault { span, message, help }: Fault) {
+        if self.wrong.len() >= MOST_ERRORS {
+            return;
+        }
         // The end of an empty file is on its first line.
         let place = Place { line: self.line.max(1), text: self.text.clone(), span };
         self.wrong.push(Diagnostic { place, also: Vec::new(), message, help });
