@@ -439,3 +439,13 @@ fn compensated_paths_are_rounded_point_by_point() {
     }
     assert_eq!(at, [-3000, 1000, 0]);
 }
+
+/// A hundred blocks that vanish.
+#[test]
+fn overcuts_are_told_up_to_a_number() {
+    let teeth: String = (1..=100).map(|x| format!("X{x}. Y0.5\nX{x}.5 Y0.\n")).collect();
+    let program = format!("G00 X-9. Y-9.\nG41 D2 G01 X0.5 Y0. F600\n{teeth}G40 Y-20.\n");
+    let wrong = refusals(&program, &table());
+    assert_eq!(wrong.len(), 20);
+    assert!(wrong.is_sorted_by_key(|diagnostic| diagnostic.place.line));
+}
