@@ -23,12 +23,19 @@
 //!
 //! ```
 //! use onepulse_plan::speed::{Block, Limits, LookAhead, Path, Samples};
-//! use onepulse_plan::{Machine, Motion, gcode::Program};
+//! use onepulse_plan::centre_path::{CentrePath, Compensation, Step};
+//! use onepulse_plan::{Machine, Motion, Tools, gcode::Program};
 //!
 //! let machine = Machine::with_pulse("0.001".parse()?);
 //! let limits = Limits::new(1000.0, Some(20_000.0), 5.0, 500.0)?;
 //! let program = "G91 G01 F3000\nX10.\nG03 X5. Y5. J5.\nG01 Y10.\n";
-//! let motions: Vec<Motion> = Program::new(program.as_bytes(), &machine).collect::<Result<_, _>>()?;
+//! let program = Program::new(program.as_bytes(), &machine, &Tools::Unknown);
+//! let mut motions: Vec<Motion> = Vec::new();
+//! for step in CentrePath::new(program, &machine, Compensation::default()) {
+//!     if let Step::Move(step) = step? {
+//!         motions.extend(step.motions());
+//!     }
+//! }
 //! let blocks: Vec<_> =
 //!     motions.iter().map(|motion| Block::of(motion, &machine, &limits)).collect::<Result<_, _>>()?;
 //! let paths: Vec<_> =
