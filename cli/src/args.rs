@@ -81,6 +81,10 @@ pub(crate) enum Command {
     /// times seconds. Speed, acceleration and jerk are those commanded along the path; an interval is the
     /// mean time between the pulses of an axis since the row before; with --servo-gain there is the
     /// following error of each axis.
+    ///
+    /// The machine is at rest before a dwell (G04) and a program stop (M00). The rows of a dwell are those of
+    /// its own line, for each period and for its end, at speed 0; the position loops run on. A stop takes no
+    /// time and has no row.
     Profile(ProfileArguments),
     /// The path of the cutter's centre: the contours of a G-code program compensated by its radius
     ///
@@ -94,6 +98,10 @@ pub(crate) enum Command {
     /// that move; a line that moves X, Y and Z at once by that of three, which dda, brm and min-deviation
     /// have in hardware. Every output has z if the program ever moves it; the picture shows
     /// all motions as seen along z.
+    ///
+    /// In a dwell (G04) time goes on and nothing is clocked; a program stop (M00) is named and takes no
+    /// time. The report lists both as `pauses`, and has the tool (T) and the spindle's speed (S) of each
+    /// block once the program has said them; nothing else is done with these.
     Run(Box<RunArguments>),
 }
 

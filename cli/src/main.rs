@@ -1,5 +1,6 @@
 //! NC interpolation from the command line.
 
+mod action;
 mod args;
 mod backdrop;
 mod choice;

@@ -299,6 +299,89 @@ fn the_bracket_by_digital_integration() {
     }
 }
 
+/// Down into a pocket, round it, a groove across in ZX and one in YZ, and up again.
+const POCKET: &str = "G21 G90 G17
+G00 Z5.
+X10. Y5.
+G01 Z-2. F300
+X30. F600
+G03 Y25. J10.
+G01 X10.
+G03 Y5. J-10.
+G18 G02 X18. I4. K0
+G19 G03 Y13. J4. K0
+G17 G00 Z5.
+X0 Y0
+M02
+";
+
+#[test]
+fn a_pocket_with_arcs_in_every_plane() {
+    // Where each line ends, and the pulses that its curve takes.
+    let due = [
+        (2, [0, 0, 500], [0, 0, 500]),
+        (3, [1000, 500, 500], [1000, 500, 0]),
+        (4, [1000, 500, -200], [0, 0, 700]),
+        (5, [3000, 500, -200], [2000, 0, 0]),
+        (6, [3000, 2500, -200], [2000, 2000, 0]),
+        (7, [1000, 2500, -200], [2000, 0, 0]),
+        (8, [1000, 500, -200], [2000, 2000, 0]),
+        (9, [1800, 500, -200], [800, 0, 800]),
+        (10, [1800, 1300, -200], [0, 800, 800]),
+        (11, [1800, 1300, 500], [0, 0, 700]),
+        (12, [0, 0, 500], [1800, 1300, 0]),
+    ];
+    for (method, most) in [("ppc", 1.0), ("dda", 1.0), ("min-deviation", 0.51)] {
+        let folder = folder(&[("p.nc", POCKET)]);
+        let report = report(folder.path(), &format!("p.nc --method {method}"));
+        assert_eq!(report["hardware_agrees"], true, "{method}");
+        assert_eq!(blocks(&report).len(), due.len(), "{method}");
+        let text = fs::read_to_string(folder.path().join("out/pulses.csv")).unwrap();
+        let mut rows = text.lines();
+        assert_eq!(rows.next(), Some("line,cycle,dx,dy,dz,x,y,z"));
+        let row = |row: &str| -> Vec<i64> {
+            row.split(',').map(|number| number.parse().unwrap()).collect()
+        };
+        let rows: Vec<_> = rows.map(row).collect();
+        let mut position = [0; 3];
+        for ((line, end, pulses), block) in due.into_iter().zip(blocks(&report)) {
+            let mut sent = [0; 3];
+            for row in rows.iter().filter(|row| row[0] == line) {
+                for axis in 0..3 {
+                    position[axis] += row[2 + axis];
+                    sent[axis] += row[2 + axis].abs();
+                }
+                assert_eq!(row[5..], position, "{method}: {row:?}");
+            }
+            assert_eq!((position, sent), (end, pulses), "{method}: line {line}");
+            assert_eq!(block["line"], line);
+            assert_eq!(block["endpoint_exact"], true, "{method}: {block}");
+            assert_eq!(
+                block["pulses"],
+                serde_json::json!({
+                    "x": pulses[0], "y": pulses[1], "z": pulses[2],
+                })
+            );
+            let deviation = block["largest_deviation"].as_f64().unwrap();
+            assert!(deviation <= most, "{method}: {block}");
+        }
+        // Both grooves are as deep as their radius, halfway across.
+        for (line, along, middle) in [(9, 5, 1400), (10, 6, 900)] {
+            let groove = rows.iter().filter(|row| row[0] == line);
+            let deepest: Vec<_> = groove.filter(|row| row[7] <= -599).collect();
+            assert!(!deepest.is_empty(), "{method}: line {line}");
+            for row in deepest {
+                assert!((row[along] - middle).abs() <= 40 && row[7] >= -601, "{method}: {row:?}");
+            }
+        }
+        let (changes, _) = read_wave(&folder.path().join("out/waves.vcd"));
+        for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+            let sent: i64 = due.iter().map(|(_, _, pulses)| pulses[axis]).sum();
+            assert_eq!(clocks_with(&changes, &format!("onepulse.pulse_{name}")), sent, "{method}");
+        }
+    }
+}
+
 #[test]
 fn the_textbook_program() {
     let folder = folder(&[]);

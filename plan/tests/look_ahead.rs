@@ -9,6 +9,7 @@ use onepulse_plan::{Curve, Machine, Motion, Rate, Tools, gcode::Program};
 use proptest::prelude::*;
 use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::time::Duration;
 
 const ACCELERATION: f64 = 1000.0;
 const JERK: f64 = 2e4;
@@ -216,6 +217,51 @@ fn a_hundred_thousand_blocks_are_joined_as_fast_as_can_be() {
     }
 }
 
+/// A stop parts a program: what comes before it and what comes after are planned by themselves.
+#[test]
+fn a_stop_is_an_end_and_a_start() {
+    let program = program(200, 4);
+    let stops = [0, 1, 63, 64, 150, 199];
+    let stopping = |(k, made): (usize, &Made)| match stops.contains(&k) {
+        true => made.block().stopping(),
+        false => made.block(),
+    };
+    for jerk in [None, Some(JERK)] {
+        let blocks = program.iter().enumerate().map(stopping);
+        let found: Vec<_> = LookAhead::new(blocks, limits(jerk)).collect();
+        let mut from = 0;
+        let parts = stops.iter().flat_map(|&stop| {
+            let part = planned(&program[from..=stop], jerk);
+            from = stop + 1;
+            part
+        });
+        assert_eq!(found, parts.collect::<Vec<_>>());
+        let through = planned(&program, jerk);
+        assert!(stops[..5].iter().all(|&stop| through[stop].exit() > 0.0));
+    }
+}
+
+/// And wherever it falls in the strides of a long program.
+#[test]
+fn every_stop_of_a_long_program_is_one() {
+    let program = program(3_000, 5);
+    for (jerk, every) in [(None, 7), (Some(JERK), 97), (None, 300)] {
+        let stops = |k: usize| k % every == every - 1;
+        let blocks = program.iter().enumerate();
+        let blocks = blocks.map(|(k, made)| match stops(k) {
+            true => made.block().stopping(),
+            false => made.block(),
+        });
+        let profiles: Vec<_> = LookAhead::new(blocks, limits(jerk)).collect();
+        assert_joined(&program, &profiles, jerk);
+        let moving = profiles.iter().enumerate().filter(|(k, profile)| {
+            assert!(!stops(*k) || profile.exit() == 0.0, "{k}");
+            profile.exit() > 0.0
+        });
+        assert!(moving.count() > 3_000 - 3_000 / every - 20);
+    }
+}
+
 /// Every block is known before it is needed, and none much earlier.
 #[test]
 fn the_look_ahead_holds_as_much_as_it_says() {
@@ -345,6 +391,41 @@ fn an_end_on_the_grid_is_one_record() {
         samples.iter().map(|sample| (sample.is_on_grid, sample.is_block_end)).collect();
     let (on, end, both) = ((true, false), (false, true), (true, true));
     assert_eq!(ends, [on, on, end, on, on, end, on, on, both]);
+}
+
+/// At rest before, between and after two lines of 0.3 s, on one grid of periods.
+#[test]
+fn the_periods_run_on_through_dwells() {
+    let line = Made { length: 20.0, steady: 100.0, start: [1.0, 0.0, 0.0], end: [1.0, 0.0, 0.0] };
+    let lines = [line.block().stopping(), line.block()];
+    let lines: Vec<_> = LookAhead::new(lines, limits(None)).collect();
+    let [before, between, after] =
+        [50, 250, 100].map(|ms| Profile::standing(Duration::from_millis(ms)));
+    let profiles = [before, lines[0], between, lines[1], after];
+    let samples: Vec<_> = Samples::new(profiles, 0.1).unwrap().collect();
+    let (on, end, both) = ((true, false), (false, true), (true, true));
+    let expected = [
+        (0.05, 0, end, 0.0, 0.0),
+        (0.1, 1, on, 50.0, 1.25),
+        (0.2, 1, on, 100.0, 10.0),
+        (0.3, 1, on, 50.0, 18.75),
+        (0.35, 1, end, 0.0, 20.0),
+        (0.4, 2, on, 0.0, 0.0),
+        (0.5, 2, on, 0.0, 0.0),
+        (0.6, 2, both, 0.0, 0.0),
+        (0.7, 3, on, 100.0, 5.0),
+        (0.8, 3, on, 100.0, 15.0),
+        (0.9, 3, both, 0.0, 20.0),
+        (1.0, 4, both, 0.0, 0.0),
+    ];
+    assert_eq!(samples.len(), expected.len());
+    for (sample, (time, block, ends, speed, way)) in samples.iter().zip(expected) {
+        assert_eq!((sample.block, (sample.is_on_grid, sample.is_block_end)), (block, ends));
+        let near = |found: f64, due: f64| (found - due).abs() < 1e-9;
+        assert!(near(sample.time, time) && near(sample.speed, speed), "{sample:?}");
+        assert!(near(sample.way, way), "{sample:?}");
+        assert!(block % 2 == 1 || sample.speed == 0.0 && sample.acceleration == 0.0, "{sample:?}");
+    }
 }
 
 #[test]

@@ -1,11 +1,13 @@
 //! From blocks to what happens when: planned speeds, sampled, in pulses, followed by the axes.
 
+use crate::action::{Action, Move, standstill};
 use crate::motion_settings::MotionSettings;
 use onepulse_plan::sampling::Pulses;
 use onepulse_plan::speed::{Block, LookAhead, Path, Profile, Sample, Samples, SpeedError};
-use onepulse_plan::{Machine, Motion, servo};
+use onepulse_plan::{Machine, servo};
+use std::time::Duration;
 
-/// The motion at the end of a sample period, or of a block; millimetres and seconds.
+/// The motion at the end of a sample period, of a block or of a dwell; millimetres and seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Row {
     pub(crate) time: f64,
@@ -23,15 +25,17 @@ pub(crate) struct Row {
     pub(crate) intervals: [Option<f64>; 3],
     /// Command less position of each axis, taken at the end of a sample period.
     pub(crate) following_errors: Option<[f64; 3]>,
-    pub(crate) is_block_end: bool,
+    /// Whether a block or a dwell ends here.
+    pub(crate) is_end: bool,
 }
 
 /// The rows of a program, from its start on. Axes that follow go on until they
 /// stand, to half a pulse.
 #[derive(Debug)]
-pub(crate) struct Rows<'a> {
-    motions: &'a [Motion],
-    paths: Vec<Path>,
+pub(crate) struct Rows {
+    /// The axes that move: two, or with z three.
+    axes: usize,
+    stages: Vec<Stage>,
     profiles: Vec<Profile>,
     samples: Samples<std::vec::IntoIter<Profile>>,
     /// Its pulse in millimetres.
@@ -41,39 +45,77 @@ pub(crate) struct Rows<'a> {
     periods: u64,
     pulses: Pulses<3>,
     last: Row,
-    axes: Option<Followed>,
+    followed: Option<Followed>,
 }
 
-impl<'a> Rows<'a> {
-    /// The rows of these motions. On no path the speed is over `highest`, in mm/s, besides the limits.
+/// A part of the motion.
+#[derive(Debug)]
+struct Stage {
+    /// The program's line.
+    line: u32,
+    way: Way,
+}
+
+#[derive(Debug)]
+enum Way {
+    Along(Path),
+    /// Nowhere, for so long.
+    Dwell(Duration),
+}
+
+impl Rows {
+    /// The rows of these actions. On no path the speed is over `highest`, in mm/s, besides the limits.
     ///
     /// # Errors
     /// A block that no speed can be planned for, with its line.
     pub(crate) fn new(
-        motions: &'a [Motion],
+        actions: &[Action],
         machine: &Machine,
         settings: &MotionSettings,
         highest: impl Fn(&Path) -> f64,
     ) -> Result<Self, String> {
         let MotionSettings { limits, period, servo } = *settings;
-        let (mut blocks, mut paths) = (Vec::new(), Vec::new());
-        for motion in motions {
-            let at_line = |why: SpeedError| format!("line {}: {why}", motion.line);
-            let path = Path::of(motion, machine.pulse).map_err(at_line)?;
-            let block = Block::of(motion, machine, &limits).map_err(at_line)?;
-            let steady = block.steady().min(highest(&path));
-            let [start, end] = path.directions();
-            blocks.push(Block::new(path.length(), steady, start, end).map_err(at_line)?);
-            paths.push(path);
+        let (mut blocks, mut stages) = (Vec::new(), Vec::new());
+        let mut axes = 2;
+        for action in actions {
+            let (way, line) = match action {
+                Action::Move(Move { motion, .. }) => {
+                    let at_line = |why: SpeedError| format!("line {}: {why}", motion.line);
+                    let path = Path::of(motion, machine.pulse).map_err(at_line)?;
+                    let block = Block::of(motion, machine, &limits).map_err(at_line)?;
+                    let steady = block.steady().min(highest(&path));
+                    let [start, end] = path.directions();
+                    blocks.push(Block::new(path.length(), steady, start, end).map_err(at_line)?);
+                    axes = if motion.moves_z() { 3 } else { axes };
+                    (Way::Along(path), motion.line)
+                }
+                Action::Pause(pause) => {
+                    if let Some(block) = blocks.last_mut() {
+                        *block = block.stopping();
+                    }
+                    let Some(dwell) = standstill(pause) else { continue };
+                    (Way::Dwell(dwell), pause.place.line)
+                }
+            };
+            stages.push(Stage { line, way });
         }
-        let profiles: Vec<_> = LookAhead::new(blocks, limits).collect();
+        let mut planned = LookAhead::new(blocks, limits);
+        let profiles = stages.iter().filter_map(|stage| match stage.way {
+            Way::Along(_) => planned.next(),
+            Way::Dwell(time) => Some(Profile::standing(time)),
+        });
+        let profiles: Vec<_> = profiles.collect();
         let samples = Samples::new(profiles.clone(), period);
         let samples = samples.map_err(|why| why.to_string())?;
-        let start = paths.first().map_or([0.0; 3], |path| path.point(0.0));
+        let start = stages.iter().find_map(|stage| match &stage.way {
+            Way::Along(path) => Some(path.point(0.0)),
+            Way::Dwell(_) => None,
+        });
+        let start = start.unwrap_or_default();
         let pulse = machine.pulse.millimetres();
         Ok(Self {
-            motions,
-            paths,
+            axes,
+            stages,
             profiles,
             samples,
             pulse,
@@ -81,16 +123,16 @@ impl<'a> Rows<'a> {
             periods: 0,
             pulses: Pulses::new(pulse, start),
             last: Row::at(start),
-            axes: servo.map(|axis| Followed { start, axes: [axis; 3] }),
+            followed: servo.map(|axis| Followed { start, axes: [axis; 3] }),
         })
     }
 
     /// The axes that move: two, or with z three.
-    pub(crate) fn axes(&self) -> usize {
-        if self.motions.iter().any(Motion::moves_z) { 3 } else { 2 }
+    pub(crate) const fn axes(&self) -> usize {
+        self.axes
     }
 
-    /// The speeds planned over each block.
+    /// The speeds planned over each block, and of each dwell.
     pub(crate) fn profiles(&self) -> &[Profile] {
         &self.profiles
     }
@@ -98,7 +140,11 @@ impl<'a> Rows<'a> {
     /// The row of a sample.
     fn commanded(&mut self, sample: &Sample) -> Row {
         let Sample { time, speed, acceleration, block, is_block_end, .. } = *sample;
-        let point = self.paths[block].point(sample.way);
+        let Stage { line, way } = &self.stages[block];
+        let (line, point) = match way {
+            Way::Along(path) => (*line, path.point(sample.way)),
+            Way::Dwell(_) => (*line, self.last.point),
+        };
         let passed = time - self.last.time;
         let intervals = self.pulses.to(point).map(|count| match count.unsigned_abs() {
             0 => None,
@@ -107,9 +153,8 @@ impl<'a> Rows<'a> {
         let change = acceleration - self.last.acceleration;
         let jerk = if passed > 0.0 { change / passed } else { 0.0 };
         self.periods += u64::from(sample.is_on_grid);
-        let axes = self.axes.as_mut().filter(|_| sample.is_on_grid);
-        let following_errors = axes.map(|axes| axes.command(point));
-        let line = self.motions[block].line;
+        let followed = self.followed.as_mut().filter(|_| sample.is_on_grid);
+        let following_errors = followed.map(|axes| axes.command(point));
         Row {
             time,
             line,
@@ -119,14 +164,14 @@ impl<'a> Rows<'a> {
             jerk,
             intervals,
             following_errors,
-            is_block_end,
+            is_end: is_block_end,
         }
     }
 
     /// After the last: the axes come to the end point, if they are not there yet.
     fn settling(&mut self) -> Option<Row> {
         let Row { line, point, .. } = self.last;
-        let axes = self.axes.as_mut()?;
+        let axes = self.followed.as_mut()?;
         if axes.stand_at(point, self.pulse / 2.0, self.period) {
             return None;
         }
@@ -137,7 +182,7 @@ impl<'a> Rows<'a> {
     }
 }
 
-impl Iterator for Rows<'_> {
+impl Iterator for Rows {
     type Item = Row;
 
     fn next(&mut self) -> Option<Row> {
@@ -162,7 +207,7 @@ impl Row {
             jerk: 0.0,
             intervals: [None; 3],
             following_errors: None,
-            is_block_end: false,
+            is_end: false,
         }
     }
 }

@@ -3,13 +3,13 @@
 mod chain;
 mod plot;
 
+use crate::action::Action;
 use crate::args::ProfileArguments;
 use crate::failure::Failure;
 use crate::machine_file::MachineFile;
 use crate::motion_settings::MotionSettings;
 use crate::plots::Format;
 use crate::pulses::AXES;
-use onepulse_plan::centre_path::Step;
 use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Write};
 
@@ -24,14 +24,12 @@ pub(crate) fn profile(arguments: &ProfileArguments) -> Result<(), Failure> {
     let input = File::open(&arguments.program);
     let input = input.map_err(|error| Failure::file(&arguments.program, &error))?;
     // All of it first: a program that is wrong somewhere has no profile.
-    let mut motions = Vec::new();
+    let mut actions = Vec::new();
     for step in arguments.cutters.load()?.path(BufReader::new(input), &machine) {
-        match step.map_err(|error| Failure::program(&arguments.program, error))? {
-            Step::Move(step) => motions.extend(step.motions()),
-            Step::Pause(_) => {}
-        }
+        let step = step.map_err(|error| Failure::program(&arguments.program, error))?;
+        actions.extend(Action::of(step));
     }
-    let rows = Rows::new(&motions, &machine, &settings, |_| f64::INFINITY);
+    let rows = Rows::new(&actions, &machine, &settings, |_| f64::INFINITY);
     let rows = rows.map_err(|why| Failure::Fault(format!("{name}: {why}")))?;
     let axes = rows.axes();
     match arguments.format {

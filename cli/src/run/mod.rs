@@ -19,11 +19,13 @@ mod survey;
 mod tests;
 mod two_level;
 
+use crate::action::{Action, Move};
 use crate::args::RunArguments;
 use crate::choice::Method;
 use crate::curve::Curve;
 use crate::failure::Failure;
 use crate::machine::{SOFTWARE_ONLY, with_machines};
+use crate::profile::Row;
 use block::BlockRun;
 use checker::Checker;
 use coarse::Microsegment;
@@ -31,12 +33,10 @@ use config::Config;
 use deviation::Deviation;
 use indicatif::{ProgressBar, ProgressStyle};
 use interpolated::Interpolated;
-use onepulse_plan::centre_path::Step;
-use onepulse_plan::gcode::MOST_ERRORS;
-use onepulse_plan::{Motion, Place};
+use onepulse_plan::gcode::{MOST_ERRORS, Pause};
 use outputs::{Outputs, Pace};
-use planned::{Plan, PlannedBlock};
-use report::{BlockReport, Summary};
+use planned::{Part, Plan, PlannedBlock};
+use report::{BlockReport, PauseReport, Summary};
 use std::fs::File;
 use std::io::{self, BufReader, Seek};
 use survey::Survey;
@@ -73,11 +73,12 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         None => {
             let mut refused = Vec::new();
             for step in config.cutters.path(BufReader::new(&input), &config.machine) {
-                let Step::Move(step) = step.map_err(wrong)? else { continue };
-                survey.backdrop.add(&step);
-                for motion in step.motions() {
-                    survey.add(&motion);
-                    refused.extend(checker.check(&motion, &step.place, None).err());
+                let step = step.map_err(wrong)?;
+                survey.draw(&step);
+                for action in Action::of(step) {
+                    let Action::Move(step) = action else { continue };
+                    survey.add(&step.motion);
+                    refused.extend(checker.check(&step.motion, &step.place, None).err());
                 }
                 if refused.len() >= MOST_ERRORS {
                     break;
@@ -90,31 +91,37 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             let input = BufReader::new(bar.wrap_read(input));
             let mut run = begin(survey)?;
             for step in config.cutters.path(input, &config.machine) {
-                let Step::Move(step) = step.map_err(wrong)? else { continue };
-                for motion in step.motions() {
-                    run.block(&motion, &step.place, None)?;
+                for action in Action::of(step.map_err(wrong)?) {
+                    match action {
+                        Action::Move(step) => run.block(&step, None)?,
+                        Action::Pause(pause) => run.pause(&pause, &[])?,
+                    }
                 }
             }
             run
         }
         // And what comes later bounds the speeds before.
         Some(settings) => {
-            let (mut motions, mut places) = (Vec::new(), Vec::new());
+            let mut actions = Vec::new();
             let input = BufReader::new(bar.wrap_read(input));
             for step in config.cutters.path(input, &config.machine) {
-                let Step::Move(step) = step.map_err(wrong)? else { continue };
-                survey.backdrop.add(&step);
-                for motion in step.motions() {
-                    survey.add(&motion);
-                    motions.push(motion);
-                    places.push(step.place.clone());
+                let step = step.map_err(wrong)?;
+                survey.draw(&step);
+                for action in Action::of(step) {
+                    if let Action::Move(step) = &action {
+                        survey.add(&step.motion);
+                    }
+                    actions.push(action);
                 }
             }
-            let plan = Plan::new(&motions, &config, settings);
+            let plan = Plan::new(&actions, &config, settings);
             let plan = plan.map_err(|why| Failure::Fault(format!("{name}: {why}")))?;
-            let blocks = || motions.iter().zip(&places).zip(plan.blocks(&motions, &config));
-            let refused = blocks().filter_map(|((motion, place), planned)| {
-                checker.check(motion, place, Some(&planned)).err()
+            let parts = || plan.parts(&actions, &config);
+            let refused = parts().filter_map(|part| match part {
+                Part::Move(step, planned) => {
+                    checker.check(&step.motion, &step.place, Some(&planned)).err()
+                }
+                Part::Pause(..) => None,
             });
             let refused: Vec<_> = refused.take(MOST_ERRORS).collect();
             if !refused.is_empty() {
@@ -123,8 +130,11 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             let mut run = begin(survey)?;
             run.outputs.plot(&plan.rows)?;
             run.summary.motion = Some(plan.report());
-            for ((motion, place), planned) in blocks() {
-                run.block(motion, place, Some(&planned))?;
+            for part in parts() {
+                match part {
+                    Part::Move(step, planned) => run.block(step, Some(&planned))?,
+                    Part::Pause(pause, records) => run.pause(pause, records)?,
+                }
             }
             run
         }
@@ -163,13 +173,9 @@ struct Run<'a> {
 }
 
 impl Run<'_> {
-    /// Makes a block that stands in this place.
-    fn block(
-        &mut self,
-        motion: &Motion,
-        place: &Place,
-        planned: Option<&PlannedBlock<'_>>,
-    ) -> Result<(), Failure> {
+    /// Makes a block.
+    fn block(&mut self, step: &Move, planned: Option<&PlannedBlock<'_>>) -> Result<(), Failure> {
+        let Move { motion, place, .. } = step;
         let Checker { config, method, .. } = self.checker;
         let refused = |why| self.checker.refused(place, &why);
         let interpolated = Interpolated::of(motion);
@@ -205,10 +211,16 @@ impl Run<'_> {
         }
         let result = block.end()?;
         self.short = [0, 1, 2].map(|axis| self.short[axis] + result.residual[axis]);
-        let report = BlockReport::new(motion, method, speed, &result, coarse, self.axes);
+        let report = BlockReport::new(step, method, speed, &result, coarse, self.axes);
         let position = [0, 1, 2].map(|axis| i64::from(motion.to[axis]) - self.short[axis]);
         self.summary.add(&report, position);
         self.outputs.report.block(&report)
+    }
+
+    /// Stands still, where speeds are planned with these records.
+    fn pause(&mut self, pause: &Pause, records: &[Row]) -> Result<(), Failure> {
+        self.summary.pause(PauseReport::new(pause));
+        self.outputs.pause(pause, records)
     }
 }
 

@@ -6,6 +6,7 @@ use super::motion_signals::MotionSignals;
 use super::picture::Picture;
 use super::report::{Report, Summary};
 use super::survey::Survey;
+use crate::action::standstill;
 use crate::args::RunArguments;
 use crate::choice::Method;
 use crate::failure::Failure;
@@ -17,9 +18,11 @@ use onepulse_core::{Plane, Pulse};
 use onepulse_hwmodel::Circuit;
 use onepulse_hwmodel::trace::{BackgroundWriter, Bench, Kind, SignalList, Tracer, Vcd, gtkw, sucl};
 use onepulse_plan::Motion;
+use onepulse_plan::gcode::Pause;
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::ops::Range;
+use std::time::Duration;
 
 /// The files of a run.
 #[derive(Debug)]
@@ -212,6 +215,15 @@ impl Outputs {
         self.picture.end_block()
     }
 
+    /// Lets the time of a pause pass, where speeds are planned with these records: nothing is clocked.
+    pub(super) fn pause(&mut self, pause: &Pause, records: &[Row]) -> Result<(), Failure> {
+        let (Some(waves), Some(dwell)) = (&mut self.waves, standstill(pause)) else {
+            return Ok(());
+        };
+        waves.rest(pause.place.line, dwell, records);
+        waves.tracer.check().map_err(|error| waves.file.failure(&error))
+    }
+
     /// Completes the files; only now they appear in the folder.
     pub(super) fn finish(mut self, summary: &Summary, config: &Config) -> Result<(), Failure> {
         self.pulses.flush().map_err(|error| self.pulses_file.failure(&error))?;
@@ -283,6 +295,41 @@ impl Waves {
         let seconds = half_periods as f64 / 2.0 / self.clocks_per_second;
         // An edge at least a tick after the other, however fast the clock.
         self.start.saturating_add(((seconds * TICKS_PER_SECOND) as u64).max(half_periods))
+    }
+
+    /// Goes on by the time of a dwell, or to the last of its records, without a clock.
+    fn rest(&mut self, line: u32, dwell: Duration, records: &[Row]) {
+        let end = |record: &Row| ticks(record.time);
+        let even = self.start.saturating_add(ticks(dwell.as_secs_f64()));
+        // The clock falls a tick after its last edge at least, and rises a tick later at least.
+        let until = records.last().map_or(even, end).max(self.start.saturating_add(2));
+        let first = records.first().map_or(until, end).max(self.start.saturating_add(2));
+        let is_traced = self.window.contains(&self.run_clocks);
+        if is_traced {
+            let half = (TICKS_PER_SECOND / self.clocks_per_second / 2.0) as u64;
+            let room = (first - self.start) / 2;
+            // Before the first clock there is no edge to fall from.
+            let high = if self.run_clocks == 0 { 0 } else { half.max(1).min(room) };
+            self.tracer.at(self.start);
+            self.tracer.set(self.line, u64::from(line));
+            if let Some(sample) = self.sample {
+                self.tracer.set(sample, 0);
+            }
+            if let Some(motion) = &self.motion {
+                motion.trace(&mut self.tracer);
+            }
+            self.bench.rest(&mut self.tracer, self.start.saturating_add(high));
+            self.traced_until = until;
+        }
+        for record in records {
+            let Some(motion) = &mut self.motion else { break };
+            motion.reach(record);
+            if is_traced {
+                self.tracer.at(end(record).max(first));
+                motion.trace(&mut self.tracer);
+            }
+        }
+        self.start = until;
     }
 
     fn clock<C: Circuit<3>>(&mut self, circuit: &mut C) -> Pulse<3> {

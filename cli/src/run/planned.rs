@@ -3,8 +3,10 @@
 use super::coarse::Reduced;
 use super::config::Config;
 use super::report::PerAxis;
+use crate::action::{Action, Move, standstill};
 use crate::motion_settings::MotionSettings;
 use crate::profile::{Row, Rows};
+use onepulse_plan::gcode::Pause;
 use onepulse_plan::sampling::largest_step;
 use onepulse_plan::speed::{Path, Profile};
 use onepulse_plan::{Curve, Motion};
@@ -18,6 +20,14 @@ pub(super) struct Plan {
     profiles: Vec<Profile>,
     settings: MotionSettings,
     tolerance_mm: Option<f64>,
+}
+
+/// A part of a plan.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Part<'a> {
+    Move(&'a Move, PlannedBlock<'a>),
+    /// With the ends of its periods, and its own; none if it takes no time.
+    Pause(&'a Pause, &'a [Row]),
 }
 
 /// The motion of a block.
@@ -68,18 +78,18 @@ pub(super) struct ServoReport {
 const MOST_PERIODS: f64 = 5e6;
 
 impl Plan {
-    /// Plans the motion of these blocks.
+    /// Plans the motion of these blocks, with their pauses.
     ///
     /// # Errors
     /// A block that no speed can be planned for, with its line; a motion of too many sample periods.
     pub(super) fn new(
-        motions: &[Motion],
+        actions: &[Action],
         config: &Config,
         settings: MotionSettings,
     ) -> Result<Self, String> {
         let tolerance_mm = config.two_level.and_then(|levels| levels.tolerance_mm);
         let highest = |path: &Path| steady(f64::INFINITY, path.radius(), &settings, tolerance_mm).0;
-        let rows = Rows::new(motions, &config.machine, &settings, highest)?;
+        let rows = Rows::new(actions, &config.machine, &settings, highest)?;
         let profiles = rows.profiles().to_vec();
         let seconds: f64 = profiles.iter().map(Profile::duration).sum();
         if seconds > MOST_PERIODS * settings.period {
@@ -92,33 +102,53 @@ impl Plan {
         Ok(Self { rows: rows.collect(), axes, profiles, settings, tolerance_mm })
     }
 
-    /// The part of each block; these are the motions that were planned.
-    pub(super) fn blocks<'a>(
+    /// The part of each action; these are the actions that were planned.
+    pub(super) fn parts<'a>(
         &'a self,
-        motions: &'a [Motion],
+        actions: &'a [Action],
         config: &'a Config,
-    ) -> impl Iterator<Item = PlannedBlock<'a>> {
-        let pulse = config.machine.pulse.millimetres();
+    ) -> impl Iterator<Item = Part<'a>> {
         let mut since = 0.0;
-        // What comes after the last block's end is no block.
-        let parts = self.rows.split_inclusive(|row| row.is_block_end);
-        parts.zip(&self.profiles).zip(motions).map(move |((records, profile), motion)| {
-            let commanded = config.speed(motion).millimetres_per_minute() / 60.0;
-            let radius = match motion.curve {
-                Curve::Line => None,
-                Curve::Arc { plane, centre, .. } => {
-                    let [from, _] = motion.ends_in(plane);
-                    let [x, y] = [0, 1].map(|axis| i64::from(from[axis]) - centre[axis]);
-                    Some((x as f64).hypot(y as f64) * pulse)
+        // What comes after the last end is of no action.
+        let mut timed = self.rows.split_inclusive(|row| row.is_end).zip(&self.profiles);
+        actions.iter().filter_map(move |action| {
+            if let Action::Pause(pause) = action {
+                if standstill(pause).is_none() {
+                    return Some(Part::Pause(pause, &[]));
+                }
+            }
+            let (records, profile) = timed.next()?;
+            let part = match action {
+                Action::Pause(pause) => Part::Pause(pause, records),
+                Action::Move(step) => {
+                    let (speeds, reduced) = self.speeds(&step.motion, profile, config);
+                    Part::Move(step, PlannedBlock { since, records, speeds, reduced })
                 }
             };
-            let (steady, reduced) = steady(commanded, radius, &self.settings, self.tolerance_mm);
-            let (entry, peak, exit) = (profile.entry(), profile.peak(), profile.exit());
-            let speeds = Speeds { entry, peak, exit, steady };
-            let block = PlannedBlock { since, records, speeds, reduced };
             since = records.last().map_or(since, |row| row.time);
-            block
+            Some(part)
         })
+    }
+
+    /// The speeds of a block, and why its steady speed is not the commanded one.
+    fn speeds(
+        &self,
+        motion: &Motion,
+        profile: &Profile,
+        config: &Config,
+    ) -> (Speeds, Option<Reduced>) {
+        let commanded = config.speed(motion).millimetres_per_minute() / 60.0;
+        let radius = match motion.curve {
+            Curve::Line => None,
+            Curve::Arc { plane, centre, .. } => {
+                let [from, _] = motion.ends_in(plane);
+                let [x, y] = [0, 1].map(|axis| i64::from(from[axis]) - centre[axis]);
+                Some((x as f64).hypot(y as f64) * config.machine.pulse.millimetres())
+            }
+        };
+        let (steady, reduced) = steady(commanded, radius, &self.settings, self.tolerance_mm);
+        let (entry, peak, exit) = (profile.entry(), profile.peak(), profile.exit());
+        (Speeds { entry, peak, exit, steady }, reduced)
     }
 
     /// What the report says of it.
@@ -140,7 +170,7 @@ impl Plan {
                 &mut self.rows.iter().map(|row| row.acceleration),
             ),
             largest_jerk_mm_per_s3: limits.jerk().map(|_| jerk),
-            duration_s: self.rows.iter().rfind(|row| row.is_block_end).map_or(0.0, |row| row.time),
+            duration_s: self.rows.iter().rfind(|row| row.is_end).map_or(0.0, |row| row.time),
             servo: servo.map(|axis| ServoReport {
                 gain_per_s: axis.settings().gain,
                 largest_following_error_mm: PerAxis::of([0, 1, 2].map(error), self.axes),

@@ -6,12 +6,14 @@ use super::config::Config;
 use super::planned::{MotionReport, ServoReport};
 use super::speed::Speed;
 use super::two_level::TwoLevel;
+use crate::action::Move;
 use crate::choice::{Method, UpdateName};
 use crate::failure::Failure;
 use crate::output::OutputFile;
 use crate::pulses::AXES;
 use onepulse_core::Direction;
-use onepulse_plan::{Curve, Motion, Rate};
+use onepulse_plan::gcode::Pause;
+use onepulse_plan::{Curve, Rate};
 use serde::Serialize;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
@@ -25,6 +27,12 @@ pub(super) struct BlockReport {
     curve: &'static str,
     method: &'static str,
     feed_mm_per_min: f64,
+    /// Once the program has said T.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tool: Option<u32>,
+    /// Once it has said S.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    spindle_rpm: Option<f64>,
     cycles: u64,
     pulses: PerAxis<u64>,
     /// In pulses: from the line, or from the circle through the arc's start.
@@ -40,6 +48,21 @@ pub(super) struct BlockReport {
     /// Of two levels: the coarse one, and what the deviation is made of.
     #[serde(skip_serializing_if = "Option::is_none")]
     sampling: Option<SamplingReport>,
+}
+
+/// What the report says of a dwell or a program stop.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(super) struct PauseReport {
+    /// The program's line, from 1.
+    line: u32,
+    /// None of a program stop.
+    dwell_s: Option<f64>,
+}
+
+impl PauseReport {
+    pub(super) fn new(pause: &Pause) -> Self {
+        Self { line: pause.place.line, dwell_s: pause.dwell.map(|time| time.as_secs_f64()) }
+    }
 }
 
 /// A value for each axis that the program moves.
@@ -70,13 +93,14 @@ impl<T> PerAxis<T> {
 
 impl BlockReport {
     pub(super) fn new(
-        motion: &Motion,
+        step: &Move,
         method: &Method,
         speed: Speed,
         run: &BlockResult,
         coarse: Option<Coarse<'_>>,
         axes: usize,
     ) -> Self {
+        let Move { motion, tool, spindle, .. } = step;
         let curve = match (motion.curve, motion.rate) {
             (Curve::Line, Rate::Rapid) => "rapid",
             (Curve::Line, Rate::Feed(_)) => "line",
@@ -98,6 +122,8 @@ impl BlockReport {
             curve,
             method,
             feed_mm_per_min: speed.millimetres_per_minute(),
+            tool: *tool,
+            spindle_rpm: *spindle,
             cycles: run.cycles,
             pulses: PerAxis::of(run.pulses, axes),
             largest_deviation: run.deviation,
@@ -179,8 +205,14 @@ impl Report {
         for (axis, pulses) in axes {
             position[format!("{axis}_mm")] = (pulses as f64 * pulse).into();
         }
-        let written =
-            write!(self.out, "\n],\n\"totals\": {totals},\n\"final_position\": {position},\n");
+        let written = self.out.write_all(b"\n],\n");
+        let written = written.and_then(|()| match summary.pauses.as_slice() {
+            [] => Ok(()),
+            pauses => writeln!(self.out, "\"pauses\": {},", serde_json::to_string(pauses)?),
+        });
+        let written = written.and_then(|()| {
+            write!(self.out, "\"totals\": {totals},\n\"final_position\": {position},\n")
+        });
         let written = written.and_then(|()| match &summary.motion {
             None => Ok(()),
             Some(motion) => {
@@ -217,11 +249,21 @@ pub(super) struct Summary {
     samples: u64,
     /// Where speeds are planned.
     pub(super) motion: Option<MotionReport>,
-    /// The first blocks, for showing.
-    shown: Vec<BlockReport>,
+    /// All dwells and stops.
+    pauses: Vec<PauseReport>,
+    /// The first blocks and pauses, for showing.
+    shown: Vec<Shown>,
 }
 
-/// Blocks that the summary shows one by one.
+/// A line of the summary.
+#[allow(clippy::large_enum_variant, reason = "nearly all are blocks, and they are few")]
+#[derive(Debug)]
+enum Shown {
+    Block(BlockReport),
+    Pause(PauseReport),
+}
+
+/// Blocks and pauses that the summary shows one by one.
 const SHOWN: usize = 40;
 
 impl Summary {
@@ -240,6 +282,7 @@ impl Summary {
             worst: None,
             samples: 0,
             motion: None,
+            pauses: Vec::new(),
             shown: Vec::new(),
         }
     }
@@ -263,7 +306,16 @@ impl Summary {
         self.position = position;
         self.agrees &= block.hardware_agrees;
         if self.shown.len() < SHOWN {
-            self.shown.push(block.clone());
+            self.shown.push(Shown::Block(block.clone()));
+        }
+    }
+
+    /// Adds a dwell, with its time, or a stop.
+    pub(super) fn pause(&mut self, pause: PauseReport) {
+        self.seconds += pause.dwell_s.unwrap_or(0.0);
+        self.pauses.push(pause);
+        if self.shown.len() < SHOWN {
+            self.shown.push(Shown::Pause(pause));
         }
     }
 
@@ -307,7 +359,14 @@ impl Summary {
             "end",
             "time"
         )?;
-        for block in &self.shown {
+        for shown in &self.shown {
+            let block = match shown {
+                Shown::Block(block) => block,
+                Shown::Pause(pause) => {
+                    self.write_pause(&mut out, *pause)?;
+                    continue;
+                }
+            };
             let end = if block.endpoint_exact {
                 "exact".to_owned()
             } else {
@@ -325,8 +384,9 @@ impl Summary {
                 block.duration_s
             )?;
         }
-        if self.blocks > self.shown.len() as u64 {
-            writeln!(out, "   ...  {} more in report.json", self.blocks - self.shown.len() as u64)?;
+        let all = self.blocks + self.pauses.len() as u64;
+        if all > self.shown.len() as u64 {
+            writeln!(out, "   ...  {} more in report.json", all - self.shown.len() as u64)?;
         }
         writeln!(
             out,
@@ -337,6 +397,12 @@ impl Summary {
             self.seconds,
             PerAxis::of(self.position, self.axes).joined(",", |c| c.to_string())
         )?;
+        if !self.pauses.is_empty() {
+            let dwells: Vec<f64> = self.pauses.iter().filter_map(|pause| pause.dwell_s).collect();
+            let (count, seconds) = (dwells.len(), dwells.iter().sum::<f64>());
+            let stops = self.pauses.len() - count;
+            writeln!(out, "dwells: {count}, {seconds:.3} s in all; program stops: {stops}")?;
+        }
         write!(out, "largest deviation {:.4} pulses", self.deviation)?;
         match &self.worst {
             None => writeln!(out)?,
@@ -368,6 +434,19 @@ impl Summary {
         writeln!(out, "hardware model and software {agree}")?;
         writeln!(out, "written to {}", folder.display())?;
         out.flush()
+    }
+
+    /// The line of a dwell or a stop.
+    fn write_pause(&self, out: &mut impl Write, pause: PauseReport) -> io::Result<()> {
+        let PauseReport { line, dwell_s } = pause;
+        match dwell_s {
+            None => writeln!(out, "{line:>6}  stop"),
+            Some(seconds) => {
+                // From the column of the method to that of the end.
+                let blank = 50 + 10 * self.axes;
+                writeln!(out, "{line:>6}  {:8}  {:blank$}  {seconds:>7.3} s", "dwell", "")
+            }
+        }
     }
 
     /// How the planned motion is at most.
@@ -406,7 +485,8 @@ impl Summary {
 
     /// Which feeds could not be kept, and why.
     fn write_reduced(&self, out: &mut impl Write) -> io::Result<()> {
-        for block in &self.shown {
+        for shown in &self.shown {
+            let Shown::Block(block) = shown else { continue };
             let Some(sampling) = &block.sampling else { continue };
             let why = match sampling.feed_reduced_for {
                 None => continue,

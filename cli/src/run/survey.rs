@@ -2,6 +2,7 @@
 
 use crate::backdrop::Backdrop;
 use onepulse_core::Plane;
+use onepulse_plan::centre_path::Step;
 use onepulse_plan::{Length, Motion};
 
 /// Which axes a program moves, and the contours that it cuts.
@@ -19,6 +20,13 @@ impl Survey {
     pub(super) fn new(pulse: Length) -> Self {
         let backdrop = Backdrop::new(Plane::Xy, 1.0 / pulse.millimetres());
         Self { moves_z: false, has_lines_in_space: false, backdrop }
+    }
+
+    /// Takes what a step draws into account.
+    pub(super) fn draw(&mut self, step: &Step) {
+        if let Step::Move(step) = step {
+            self.backdrop.add(step);
+        }
     }
 
     /// Takes a motion into account.

@@ -4,7 +4,7 @@ use super::*;
 use crate::args::{Arguments, Command};
 use clap::Parser;
 use onepulse_core::{Direction, Plane};
-use onepulse_plan::{Length, Rate};
+use onepulse_plan::{Length, Motion, Place, Rate};
 use proptest::prelude::*;
 use std::fs;
 use std::path::Path;
@@ -35,10 +35,17 @@ fn run_in(folder: &Path, motions: &[Motion], options: &str) -> Result<Written, F
     let mut survey = Survey::new(config.machine.pulse);
     let place = Place { line: 1, text: "a block".into(), span: 0..7 };
     motions.iter().for_each(|motion| survey.add(motion));
-    let plan = config.motion.map(|settings| Plan::new(motions, &config, settings).unwrap());
+    let step = |&motion| Move { motion, place: place.clone(), tool: None, spindle: None };
+    let steps: Vec<_> = motions.iter().map(step).collect();
+    let actions: Vec<_> = steps.iter().cloned().map(Action::Move).collect();
+    let plan = config.motion.map(|settings| Plan::new(&actions, &config, settings).unwrap());
+    let block = |part| match part {
+        Part::Move(_, planned) => Some(planned),
+        Part::Pause(..) => None,
+    };
     let planned: Vec<_> = match &plan {
         None => vec![None; motions.len()],
-        Some(plan) => plan.blocks(motions, &config).map(Some).collect(),
+        Some(plan) => plan.parts(&actions, &config).map(block).collect(),
     };
     for (motion, planned) in motions.iter().zip(&planned) {
         let refused = |wrong| checker.failure(vec![wrong]);
@@ -47,8 +54,8 @@ fn run_in(folder: &Path, motions: &[Motion], options: &str) -> Result<Written, F
     let outputs = Outputs::create(&arguments, &config, &method, &survey)?;
     let summary = Summary::new(survey.axes());
     let mut run = Run { checker, axes: survey.axes(), outputs, summary, short: [0; 3] };
-    for (motion, planned) in motions.iter().zip(&planned) {
-        run.block(motion, &place, planned.as_ref())?;
+    for (step, planned) in steps.iter().zip(&planned) {
+        run.block(step, planned.as_ref())?;
     }
     run.outputs.finish(&run.summary, &config)?;
     let pulses = fs::read_to_string(out.join("pulses.csv")).unwrap();

@@ -80,6 +80,18 @@ impl Bench {
         pulses
     }
 
+    /// Traces what stands round a circuit that is given no clocks from `time` on: the clock is low, and
+    /// nothing is sent.
+    pub fn rest<W: Wave>(&self, tracer: &mut Tracer<W>, time: u64) {
+        tracer.at(time);
+        tracer.set(self.clk, 0);
+        for axis in &self.axes {
+            tracer.set(axis.pulse, 0);
+            tracer.set(axis.negative, u64::from(axis.is_negative));
+            tracer.set(axis.position, axis.counted as u64);
+        }
+    }
+
     /// Traces a rising clock edge and what a circuit shows after it.
     pub fn sample<W: Wave, C: Circuit<AXES>, const AXES: usize>(
         &mut self,

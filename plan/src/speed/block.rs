@@ -10,6 +10,7 @@ pub struct Block {
     steady: f64,
     start_direction: [f64; 3],
     end_direction: [f64; 3],
+    is_stopping: bool,
 }
 
 impl Block {
@@ -31,7 +32,7 @@ impl Block {
         if !is_unit(start_direction) || !is_unit(end_direction) {
             return Err(SpeedError::NoDirection);
         }
-        Ok(Self { length, steady, start_direction, end_direction })
+        Ok(Self { length, steady, start_direction, end_direction, is_stopping: false })
     }
 
     /// The block of a motion. Its steady speed is the commanded one, or less on an arc, where the
@@ -54,6 +55,13 @@ impl Block {
         Self::new(path.length(), steady, start, end)
     }
 
+    /// The same block with the machine at rest at its end, wherever the next one goes: before a dwell or
+    /// a program stop.
+    #[must_use]
+    pub const fn stopping(self) -> Self {
+        Self { is_stopping: true, ..self }
+    }
+
     /// Its length in millimetres.
     #[must_use]
     pub const fn length(&self) -> f64 {
@@ -68,6 +76,9 @@ impl Block {
 
     /// The highest speed in the corner between this block and the next one.
     pub(super) fn corner_speed(&self, next: &Self, limits: &Limits) -> f64 {
+        if self.is_stopping {
+            return 0.0;
+        }
         let corner = limits.corner_speed(self.end_direction, next.start_direction);
         corner.min(self.steady).min(next.steady)
     }

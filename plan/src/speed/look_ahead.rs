@@ -13,7 +13,8 @@ pub const AHEAD: usize = 128;
 /// block's steady speed. From behind the last block known, where the speed is taken for 0, a backward
 /// pass lowers each corner's speed to what can be braked to the one after; a forward pass lowers it to
 /// what the one before can reach. A block's exit speed is the next one's entry speed, the same
-/// number; the program starts and ends at rest.
+/// number; the program starts and ends at rest, and is at rest behind a block that is
+/// [stopping](Block::stopping).
 ///
 /// A program that can stop within [`AHEAD`] blocks everywhere has the speeds of a look-ahead over the whole
 /// of it: the highest with which each block is long enough to come from the lower of its two speeds,

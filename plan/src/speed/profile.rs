@@ -3,6 +3,7 @@
 use super::limits::largest;
 use super::ramp::Ramp;
 use super::{Limits, Quantity, SpeedError};
+use std::time::Duration;
 
 /// Where a block is on its way at some time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,6 +66,21 @@ impl Profile {
             return Err(SpeedError::TooShort { length, needed });
         }
         Ok(Self::joined(length, entry, exit, steady, limits))
+    }
+
+    /// That of a dwell: so long at rest.
+    ///
+    /// ```
+    /// use onepulse_plan::speed::Profile;
+    /// let dwell = Profile::standing(std::time::Duration::from_millis(250));
+    /// assert_eq!(dwell.duration(), 0.25);
+    /// assert_eq!((dwell.at(0.1).way, dwell.at(0.1).speed), (0.0, 0.0));
+    /// ```
+    #[must_use]
+    pub fn standing(duration: Duration) -> Self {
+        let (rise, fall) = (Ramp::none(), Ramp::none());
+        let duration = duration.as_secs_f64();
+        Self { length: 0.0, entry: 0.0, exit: 0.0, peak: 0.0, rise, fall, duration }
     }
 
     /// The profile between two speeds that are known to be joined within the length.

@@ -31,6 +31,19 @@ impl Ramp {
         Self { low, high, acceleration, rounding, jerk, time, way }
     }
 
+    /// None at all, at rest.
+    pub(super) const fn none() -> Self {
+        Self {
+            low: 0.0,
+            high: 0.0,
+            acceleration: 0.0,
+            rounding: 0.0,
+            jerk: 0.0,
+            time: 0.0,
+            way: 0.0,
+        }
+    }
+
     /// How long it takes, in seconds.
     pub(super) const fn time(&self) -> f64 {
         self.time

@@ -7,7 +7,7 @@ use super::{Profile, Quantity, SpeedError, State};
 pub struct Sample {
     /// The time since the program's start, in seconds.
     pub time: f64,
-    /// The block, from 0.
+    /// The block, from 0; a dwell counts as one.
     pub block: usize,
     /// The way in it so far, in millimetres.
     pub way: f64,
@@ -29,6 +29,7 @@ pub struct Sample {
 /// the end before, so there is no short last step, and with no corner the speed does not dip. The end
 /// points are records of their own, at their own times; nothing cuts a corner. A short block may have no
 /// other record. A period that ends within a millionth of itself of a block's end is taken to end there.
+/// A dwell is a block in which nothing moves ([`Profile::standing`]): the periods run on through it too.
 #[derive(Clone, Debug)]
 pub struct Samples<I> {
     profiles: I,
