@@ -186,6 +186,37 @@ fn distances_switch_between_absolute_and_incremental() {
 }
 
 #[test]
+fn contours_may_begin_and_end_where_the_cutter_is_to_be() {
+    // Established from the very point that is the radius away from the contour, and cancelled to one.
+    check(
+        &machine(),
+        &[(
+            "G00 X-1.\nG41 G01 X0 F100\nY10.\nG40 X-1.\nX0",
+            &[
+                "1 line 0,0 -100,0 rapid",
+                "3 line -100,0 -100,1000 F100",
+                "5 line -100,1000 0,1000 F100",
+            ],
+        )],
+    );
+    // The contour's end, r/√2 = 0.7071067811… mm to the left and up, is less than a picometre from that of G40,
+    // but in another pulse.
+    check(
+        &Machine::with_pulse(Length::from_picometres(1)),
+        &[(
+            "G00 X-0.3 Y-0.3\nG41 G01 X0 Y0 F100\nX0.3 Y0.3\nG40 X-0.407106782 Y1.007106781\nG00 X0",
+            &[
+                "1 line 0,0 -300000000,-300000000 rapid",
+                "2 line -300000000,-300000000 -707106781,707106781 F100",
+                "3 line -707106781,707106781 -407106781,1007106781 F100",
+                "4 line -407106781,1007106781 -407106782,1007106781 F100",
+                "5 line -407106782,1007106781 0,1007106781 rapid",
+            ],
+        )],
+    );
+}
+
+#[test]
 fn increments_of_a_part_of_a_pulse_add_up_without_error() {
     for (step, count, end) in [
         ("X0.003", 1000, [300, 0]),

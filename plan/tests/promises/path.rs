@@ -15,11 +15,16 @@ const EXACTNESS: f64 = 1e-6;
 pub(crate) fn check(text: &[u8], machine: &Machine, tools: &Tools, compensation: Compensation) {
     let lines = Lines::of(text);
     let mut path = CentrePath::new(Program::new(text, machine, tools), machine, compensation);
+    let programmed = programmed(text, machine, tools);
     let mut followed = Followed::default();
     while let Some(step) = path.next() {
         match step {
             Ok(Step::Move(step)) => {
                 lines.check(&step.place);
+                let starts = |before: &&gcode::Move| {
+                    before.place.line <= step.place.line && phase(before) == Some(Phase::Establish)
+                };
+                followed.section(programmed.iter().filter(starts).count());
                 followed.take(&step);
                 assert!(followed.count <= 8 * lines.count(), "it never ends");
             }
@@ -35,7 +40,25 @@ pub(crate) fn check(text: &[u8], machine: &Machine, tools: &Tools, compensation:
             Err(PathError::Input(error)) => panic!("{error}"),
         }
     }
-    followed.check_ends(Program::new(text, machine, tools), machine.pulse);
+    followed.section(0);
+    followed.check_ends(&programmed, machine.pulse);
+}
+
+/// The motions of a program that is right, as programmed.
+fn programmed(text: &[u8], machine: &Machine, tools: &Tools) -> Vec<gcode::Move> {
+    let moves =
+        Program::new(text, machine, tools).map_while(Result::ok).filter_map(|step| match step {
+            gcode::Step::Move(step) => Some(step),
+            gcode::Step::Pause(_) => None,
+        });
+    moves.collect()
+}
+
+fn phase(step: &gcode::Move) -> Option<Phase> {
+    match step.cutter {
+        Cutter::Off => None,
+        Cutter::On { phase, .. } => Some(phase),
+    }
 }
 
 /// The path so far.
@@ -46,7 +69,10 @@ struct Followed {
     pulses: [i32; 3],
     /// Where it was at the end of each line.
     ends: BTreeMap<u32, ([f64; 3], [i32; 3])>,
-    /// What is machined of the contour since compensation was established, and the path along it.
+    /// How often compensation has been established, and with which radius.
+    section: usize,
+    radius: f64,
+    /// What is machined of the contour since then, and the path along it.
     contour: Vec<Element>,
     path: Vec<Element>,
     /// The blocks of contours.
@@ -110,21 +136,29 @@ impl Followed {
                 assert!((away - radius).abs() <= EXACTNESS, "{away} away: {step:?}");
             }
         }
-        match step.role {
-            Role::Offset | Role::Corner if step.rate != Rate::Rapid => self.path.push(element),
-            Role::Cancel => self.check_gouging(radius),
-            _ => {}
+        if matches!(step.role, Role::Offset | Role::Corner) && step.rate != Rate::Rapid {
+            self.path.push(element);
         }
+        self.radius = radius;
     }
 
-    /// The path comes nowhere nearer to the contour than the radius.
-    fn check_gouging(&mut self, radius: f64) {
+    /// Where another section begins, the path of the one before comes nowhere nearer to the contour than
+    /// the radius.
+    fn section(&mut self, section: usize) {
+        if section == self.section {
+            return;
+        }
+        self.section = section;
         let (contour, path) = (std::mem::take(&mut self.contour), std::mem::take(&mut self.path));
         for part in &path {
             for point in samples(part) {
                 for block in &contour {
                     let away = away(block, point);
-                    assert!(away >= radius - EXACTNESS, "{away} from {block:?} in {part:?}");
+                    assert!(
+                        away >= self.radius - EXACTNESS,
+                        "{away} from {block:?} in {part:?}, not {}",
+                        self.radius
+                    );
                 }
             }
         }
@@ -132,18 +166,11 @@ impl Followed {
 
     /// Blocks without compensation, and those that cancel it, end just where they are programmed to; and the
     /// path has all blocks of the contours.
-    fn check_ends<R: std::io::BufRead>(self, program: Program<R>, pulse: Length) {
-        let mut blocks = 0;
-        for step in program {
-            let step = step.expect("a program whose path is made is read");
-            let gcode::Step::Move(step) = step else { continue };
-            match step.cutter {
-                Cutter::Off | Cutter::On { phase: Phase::Cancel, .. } => {}
-                Cutter::On { phase, .. } => {
-                    blocks += usize::from(phase == Phase::Contour);
-                    continue;
-                }
-            }
+    fn check_ends(self, programmed: &[gcode::Move], pulse: Length) {
+        let contours = programmed.iter().filter(|step| phase(step) == Some(Phase::Contour));
+        assert_eq!(self.blocks, contours.count(), "blocks of contours");
+        let is_end = |step: &&gcode::Move| matches!(phase(step), None | Some(Phase::Cancel));
+        for step in programmed.iter().filter(is_end) {
             let end = self.ends.range(..=step.place.line).next_back();
             let (point, pulses) = end.map_or_else(Default::default, |(_, end)| *end);
             for axis in 0..3 {
@@ -154,7 +181,6 @@ impl Followed {
                 assert_eq!(i128::from(pulses[axis]), nearest, "pulses of {step:?}");
             }
         }
-        assert_eq!(self.blocks, blocks, "blocks of contours");
     }
 }
 
