@@ -120,7 +120,7 @@ struct Path<'a> {
     pulse: Length,
     contour: &'a [Block],
     cuts: &'a [Cut],
-    /// Where the centre stands; none before the first cut.
+    /// Where the centre stands; none before the first step.
     at: Option<[Length; 3]>,
     steps: Vec<Step>,
 }
@@ -129,6 +129,10 @@ impl Path<'_> {
     /// The cuts in the order of the program, with all that it does besides.
     fn run(mut self, steps: &[gcode::Step]) -> Result<Vec<Step>, Diagnostic> {
         let mut block = 0;
+        self.at = steps.iter().find_map(|step| match step {
+            gcode::Step::Move(step) => Some(step.from),
+            gcode::Step::Pause(_) => None,
+        });
         for step in steps {
             match step {
                 gcode::Step::Pause(pause) => self.steps.push(Step::Pause(pause.clone())),
@@ -155,7 +159,7 @@ impl Path<'_> {
             self.cut(step, cut)?;
         }
         let Some(contour) = block.checked_sub(1).and_then(|block| self.contour.get(block)) else {
-            return Ok(());
+            return if own.is_empty() && block > 0 { self.arrive(step) } else { Ok(()) };
         };
         if own.is_empty() {
             // Nothing of an arc of just the cutter's radius: it stands.
@@ -167,6 +171,17 @@ impl Path<'_> {
             made.contour = Some(contour.element);
         }
         Ok(())
+    }
+
+    /// The end of a contour that is too near to where compensation ends for a line between: within what
+    /// cannot be told from rounding, but pulses may lie between.
+    fn arrive(&mut self, step: &Move) -> Result<(), Fault> {
+        let from = self.at.unwrap_or(step.from);
+        if from == step.to {
+            return Ok(());
+        }
+        let shown = [from, step.to].map(|point| point.map(Length::millimetres));
+        self.push(step, Role::Cancel, [from, step.to], shown, None, None)
     }
 
     /// A cut of a block, and the part of the block's motion across the plane that belongs to it.
