@@ -1,0 +1,268 @@
+//! Cutter radius compensation against LinuxCNC's interpreter, on random programs.
+//!
+//! It goes round outside corners on arcs, and to the exact intersection at inside ones. Its first move
+//! goes to the corner that the path would have there between two blocks, its last one starts at the end of the
+//! last block's offset: between them, its path is to be ours. It looks no further than to the next block.
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+mod curves;
+mod linuxcnc;
+
+use cavalier_contours::polyline::{PlineSourceMut, Polyline};
+use curves::{clearance, polyline_of};
+use linuxcnc::{Move, compensated};
+use onepulse_core::Direction;
+use onepulse_plan::compensation::{
+    Block, Corners, Cut, Element, Overcut, OvercutKind, Role, Section, Side, c_type,
+};
+use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+/// Half a unit of the last decimal printed, and a rounding of our own.
+const PRINTED: f64 = 0.5e-4 + 1e-9;
+
+#[derive(Clone, Debug)]
+struct Case {
+    section: Section,
+    side: Side,
+    radius: f64,
+}
+
+/// How the way goes on: by how much it turns first, then a line, or an arc with its radius and sweep.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    turn: f64,
+    length: f64,
+    sweep: f64,
+}
+
+/// The interpreter passes over corners of less than 2.87°: they are tangent or of 4° and more.
+fn turns(most: f64) -> impl Strategy<Value = f64> {
+    prop_oneof![1 => Just(0.0), 2 => 4.0..most, 2 => -most..-4.0].prop_map(f64::to_radians)
+}
+
+fn steps() -> impl Strategy<Value = Step> {
+    let sweep = prop_oneof![2 => Just(0.0), 1 => 10.0..270.0_f64, 1 => -270.0..-10.0_f64];
+    (turns(175.0), 0.3..1.8_f64, sweep).prop_map(|(turn, digits, sweep)| Step {
+        turn,
+        length: 10_f64.powf(digits),
+        sweep: sweep.to_radians(),
+    })
+}
+
+fn cases() -> impl Strategy<Value = Case> {
+    let ends = (0.0..170.0_f64, turns(175.0));
+    (ends, prop::collection::vec(steps(), 1..6), -0.5..1.0_f64, any::<bool>()).prop_map(
+        |((first, last), mut steps, digits, is_left)| {
+            // The first corner is tangent or an outside one: the interpreter's first move and ours agree.
+            let first = if first < 4.0 { 0.0 } else { first.to_radians() };
+            steps[0].turn = if is_left { -first } else { first };
+            let radius = 10_f64.powf(digits);
+            let side = if is_left { Side::Left } else { Side::Right };
+            Case { section: section(&steps, last), side, radius }
+        },
+    )
+}
+
+/// The way that the steps describe, from and to 60 mm away from it.
+fn section(steps: &[Step], last_turn: f64) -> Section {
+    let mut at = [0.0, 0.0];
+    let mut heading = 0.0_f64;
+    let mut contour = Vec::new();
+    for (step, line) in steps.iter().zip(2..) {
+        heading += step.turn;
+        let from = at;
+        let element = if step.sweep == 0.0 {
+            at = [at[0] + step.length * heading.cos(), at[1] + step.length * heading.sin()];
+            Element::Line { from, to: at }
+        } else {
+            let is_ccw = step.sweep > 0.0;
+            let radius = if is_ccw { step.length } else { -step.length };
+            let centre = [at[0] - radius * heading.sin(), at[1] + radius * heading.cos()];
+            heading += step.sweep;
+            at = [centre[0] + radius * heading.sin(), centre[1] - radius * heading.cos()];
+            let direction = if is_ccw { Direction::Ccw } else { Direction::Cw };
+            Element::Arc { from, to: at, centre, direction }
+        };
+        contour.push(Block { element, line, is_machined: true });
+    }
+    heading += last_turn;
+    let away = [at[0] + 60.0 * heading.cos(), at[1] + 60.0 * heading.sin()];
+    let line =
+        |from, to, line| Block { element: Element::Line { from, to }, line, is_machined: true };
+    let leave = line(at, away, contour.len() as u32 + 2);
+    Section { approach: line([-60.0, 0.0], [0.0, 0.0], 1), contour, leave }
+}
+
+/// The program, with the tool's diameter in it.
+fn program(case: &Case) -> String {
+    let Element::Line { from: [x, y], .. } = case.section.approach.element else { unreachable!() };
+    let mut text = format!("G21 G17 G90 G40 G64\nG0 X{x:.12} Y{y:.12}\nF100\n");
+    let on = if case.side == Side::Left { "G41.1" } else { "G42.1" };
+    writeln!(text, "{on} D{:.12}", 2.0 * case.radius).unwrap();
+    let blocks = [&case.section.approach].into_iter().chain(&case.section.contour);
+    for (block, is_last) in blocks.map(|block| (block, false)).chain([(&case.section.leave, true)])
+    {
+        if is_last {
+            text += "G40\n";
+        }
+        match block.element {
+            Element::Line { to: [x, y], .. } => writeln!(text, "G1 X{x:.12} Y{y:.12}").unwrap(),
+            Element::Arc { from, to: [x, y], centre, direction } => {
+                let code = if direction == Direction::Cw { "G2" } else { "G3" };
+                let [i, j] = [0, 1].map(|axis| centre[axis] - from[axis]);
+                writeln!(text, "{code} X{x:.12} Y{y:.12} I{i:.12} J{j:.12}").unwrap();
+            }
+        }
+    }
+    text + "M2\n"
+}
+
+fn ends(element: &Element) -> [[f64; 2]; 2] {
+    match *element {
+        Element::Line { from, to } | Element::Arc { from, to, .. } => [from, to],
+    }
+}
+
+fn are_close(one: [f64; 2], other: [f64; 2]) -> bool {
+    (0..2).all(|axis| (one[axis] - other[axis]).abs() <= PRINTED)
+}
+
+/// Whether a cut ends where the move does, on the same curve.
+fn agrees(cut: &Cut, printed: &Move) -> bool {
+    let is_same_curve = match (cut.element, printed.arc) {
+        (Element::Line { .. }, None) => true,
+        (Element::Arc { centre, direction, .. }, Some((about, sense))) => {
+            are_close(centre, about) && direction == sense
+        }
+        _ => false,
+    };
+    is_same_curve && are_close(ends(&cut.element)[1], printed.to)
+}
+
+/// The path from the end of the first move to the end of the last block's offset.
+fn compared(case: &Case, cuts: &[Cut]) -> Vec<Cut> {
+    let last = case.section.contour.len();
+    let is_compared = |cut: &&Cut| match cut.role {
+        Role::Establish | Role::Cancel => false,
+        Role::Offset => true,
+        Role::Corner => cut.block < last,
+    };
+    cuts.iter().filter(is_compared).copied().collect()
+}
+
+/// The moves as curves.
+fn path_of(moves: &[Move]) -> Polyline {
+    let elements = moves.windows(2).map(|pair| match pair[1].arc {
+        None => Element::Line { from: pair[0].to, to: pair[1].to },
+        Some((centre, direction)) => {
+            Element::Arc { from: pair[0].to, to: pair[1].to, centre, direction }
+        }
+    });
+    polyline_of(&elements.collect::<Vec<_>>())
+}
+
+/// What the interpreter says of a tool that does not fit. Anything else is a fault of the program's text.
+const REFUSALS: [&str; 4] = [
+    "in concave corner cannot be reached by the tool without gouging",
+    "Tool radius not less than arc radius with comp",
+    "Arc to arc motion makes a corner the compensated tool can't fit in",
+    "Arc to straight motion makes a corner the compensated tool can't fit in",
+];
+
+/// The whole path is the interpreter's with arcs at the corners.
+fn check_arcs(case: &Case, cuts: &[Cut], moves: &[Move]) -> Result<(), TestCaseError> {
+    let cuts = compared(case, cuts);
+    prop_assert_eq!(cuts.len() + 1, moves.len(), "{:?} {:?}", cuts, moves);
+    for (cut, printed) in cuts.iter().zip(&moves[1..]) {
+        prop_assert!(agrees(cut, printed), "{cut:?} is not {printed:?}");
+    }
+    Ok(())
+}
+
+/// Where nothing goes round a corner on an arc, straight corners change nothing either. Returns how many
+/// ends were compared.
+fn check_straight(case: &Case, straight: &[Cut], arcs: &[Cut]) -> Result<u32, TestCaseError> {
+    let mut ends_compared = 0;
+    for block in 1..=case.section.contour.len() {
+        let offset = |cuts: &[Cut]| {
+            let mut found =
+                cuts.iter().filter(|cut| (cut.block, cut.role) == (block, Role::Offset));
+            found.next().map(|cut| ends(&cut.element))
+        };
+        let goes_round =
+            |block| arcs.iter().any(|cut| (cut.block, cut.role) == (block, Role::Corner));
+        let (Some(found), Some(expected)) = (offset(straight), offset(arcs)) else {
+            return Err(TestCaseError::fail(format!("block {block} has no offset")));
+        };
+        for (end, corner) in [(0, block - 1), (1, block)] {
+            if !goes_round(corner) {
+                let is_same =
+                    (0..2).all(|axis| (found[end][axis] - expected[end][axis]).abs() < 1e-9);
+                prop_assert!(is_same, "block {block}: {found:?} is not {expected:?}");
+                ends_compared += 1;
+            }
+        }
+    }
+    Ok(ends_compared)
+}
+
+#[test]
+fn random_programs_run_as_linuxcnc_runs_them() {
+    let counts = RefCell::new(BTreeMap::<String, u32>::new());
+    let count = |what: &str, many: u32| {
+        *counts.borrow_mut().entry(what.to_string()).or_default() += many;
+    };
+    let config = ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) };
+    let result = TestRunner::new(config).run(&cases(), |case| {
+        let theirs = compensated(&program(&case));
+        let ours = c_type(&case.section, case.side, case.radius, Corners::Arcs);
+        let moves = match theirs {
+            Ok(moves) => moves,
+            Err(reason) => {
+                let refusal = REFUSALS.iter().find(|refusal| reason.contains(*refusal));
+                prop_assert!(refusal.is_some(), "{reason}");
+                prop_assert!(ours.is_err(), "{reason}: {:?}", ours);
+                count(refusal.unwrap(), 1);
+                return Ok(());
+            }
+        };
+        let contour = polyline_of(case.section.contour.iter().map(|block| &block.element));
+        let (least, at) = clearance(&path_of(&moves), &contour);
+        match ours {
+            Ok(cuts) => {
+                prop_assert!(least > case.radius - 2.0 * PRINTED, "{least} at {at:?}");
+                check_arcs(&case, &cuts, &moves)?;
+                count("the same path", 1);
+                count(
+                    "corners on arcs",
+                    moves.len() as u32 - 1 - case.section.contour.len() as u32,
+                );
+                if let Ok(straight) =
+                    c_type(&case.section, case.side, case.radius, Corners::Straight)
+                {
+                    count("ends at inside corners", check_straight(&case, &straight, &cuts)?);
+                    count("straight as well", 1);
+                }
+            }
+            Err(overcuts) => {
+                let is_far =
+                    |overcut: &Overcut| matches!(overcut.kind, OvercutKind::Interference { .. });
+                prop_assert!(overcuts.iter().all(is_far), "{overcuts:?}, {least} at {at:?}");
+                prop_assert!(
+                    least < case.radius - 2.0 * PRINTED,
+                    "{overcuts:?}, {least} at {at:?}"
+                );
+                count("refused for a far block", 1);
+            }
+        }
+        Ok(())
+    });
+    println!("{:#?}", counts.borrow());
+    if let Err(error) = result {
+        panic!("{error}");
+    }
+}

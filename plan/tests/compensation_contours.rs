@@ -1,0 +1,319 @@
+//! Cutter radius compensation along closed contours, against the offsets of an independent geometry library,
+//! `cavalier_contours`. It removes from an offset what comes nearer than it should and joins what is left:
+//! a contour can be machined as programmed exactly where it had to remove nothing.
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+mod closed_contours;
+mod curves;
+
+use cavalier_contours::core::math::Vector2;
+use cavalier_contours::polyline::{
+    PlineOffsetOptions, PlineSource, PlineSourceMut, PlineVertex, Polyline,
+    seg_arc_radius_and_center, seg_closest_point, seg_midpoint, seg_tangent_vector,
+};
+use closed_contours::contours;
+use curves::{SAME, array, clearance, points, polyline_of, vector};
+use onepulse_core::Direction;
+use onepulse_plan::compensation::{
+    Block, Corners, Cut, Element, Overcut, OvercutKind, Role, Section, Side, c_type,
+};
+use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+/// Roundings of coordinates of some 100 mm.
+const ROUNDING: f64 = 1e-9;
+
+/// A contour and a tool to the left of it for positive radii, to the right for negative ones.
+#[derive(Clone, Debug)]
+struct Case {
+    contour: Polyline,
+    offset: f64,
+    /// Whether the tool comes and goes along the contour's first and last tangents, else at right angles.
+    is_tangent: bool,
+}
+
+fn cases() -> impl Strategy<Value = Case> {
+    (contours(), -0.5..1.5_f64, any::<bool>(), any::<bool>()).prop_map(
+        |(contour, digits, is_left, is_tangent)| {
+            let radius = 10_f64.powf(digits);
+            Case { contour, offset: if is_left { radius } else { -radius }, is_tangent }
+        },
+    )
+}
+
+impl Case {
+    fn radius(&self) -> f64 {
+        self.offset.abs()
+    }
+
+    fn side(&self) -> Side {
+        if self.offset > 0.0 { Side::Left } else { Side::Right }
+    }
+
+    /// The contour as a program has it, block k in line 10·k.
+    fn section(&self) -> Section {
+        let elements = elements(&self.contour);
+        let start = self.contour.at(0).pos();
+        let (first, last) = (tangents(&self.contour, 0)[0], tangents_before(&self.contour, 0)[1]);
+        let reach = self.radius() + 20.0;
+        // From the side of the tool, or from behind.
+        let away = |tangent: Vector2, sign: f64| {
+            let way = if self.is_tangent {
+                tangent
+            } else {
+                tangent.perp().scale(self.offset.signum() * sign)
+            };
+            start + way.scale(reach * sign)
+        };
+        let (from, to) = (away(first, -1.0), away(last, 1.0));
+        let block = |element, line| Block { element, line, is_machined: true };
+        let count = elements.len() as u32;
+        Section {
+            approach: block(Element::Line { from: array(from), to: array(start) }, 0),
+            contour: elements
+                .into_iter()
+                .zip(1..)
+                .map(|(element, k)| block(element, 10 * k))
+                .collect(),
+            leave: block(Element::Line { from: array(start), to: array(to) }, 10 * (count + 1)),
+        }
+    }
+}
+
+fn segment(contour: &Polyline, index: usize) -> (PlineVertex, PlineVertex) {
+    (contour.at(index), contour.at(contour.next_wrapping_index(index)))
+}
+
+/// The directions at both ends of a segment.
+fn tangents(contour: &Polyline, index: usize) -> [Vector2; 2] {
+    let (start, end) = segment(contour, index);
+    [start.pos(), end.pos()].map(|at| seg_tangent_vector(start, end, at).normalize())
+}
+
+fn tangents_before(contour: &Polyline, index: usize) -> [Vector2; 2] {
+    tangents(contour, contour.prev_wrapping_index(index))
+}
+
+/// The segments as elements of a program: what belongs to one circle is one arc, also over 180°.
+fn elements(contour: &Polyline) -> Vec<Element> {
+    let mut elements: Vec<Element> = Vec::new();
+    for (start, end) in contour.iter_segments() {
+        let (from, to) = (array(start.pos()), array(end.pos()));
+        if start.bulge == 0.0 {
+            elements.push(Element::Line { from, to });
+            continue;
+        }
+        let direction = if start.bulge > 0.0 { Direction::Ccw } else { Direction::Cw };
+        let centre = seg_arc_radius_and_center(start, end).1;
+        if let Some(Element::Arc { to: end, centre: before, direction: same, .. }) =
+            elements.last_mut()
+        {
+            if *same == direction && (vector(*before) - centre).length() < ROUNDING {
+                *end = to;
+                continue;
+            }
+        }
+        elements.push(Element::Arc { from, to, centre: array(centre), direction });
+    }
+    elements
+}
+
+/// The curve that a part of an offset lies on.
+#[derive(Clone, Copy, Debug)]
+enum Carrier {
+    Line { through: Vector2, tangent: Vector2 },
+    Circle { centre: Vector2, radius: f64, is_ccw: bool },
+}
+
+impl Carrier {
+    fn holds(&self, start: PlineVertex, end: PlineVertex) -> bool {
+        let ends = [start.pos(), seg_midpoint(start, end), end.pos()];
+        match *self {
+            Carrier::Line { through, tangent } => {
+                start.bulge == 0.0
+                    && tangent.dot(end.pos() - start.pos()) > 0.0
+                    && ends.iter().all(|&at| tangent.perp_dot(at - through).abs() < 1e-6)
+            }
+            Carrier::Circle { centre, radius, is_ccw } => {
+                start.bulge != 0.0
+                    && (start.bulge > 0.0) == is_ccw
+                    && ends.iter().all(|&at| ((at - centre).length() - radius).abs() < 1e-6)
+            }
+        }
+    }
+}
+
+/// What the whole offset consists of, by the definition of an offset: each segment's, and a circle
+/// about each outside corner. None if an arc has no offset.
+fn carriers(contour: &Polyline, offset: f64) -> Option<Vec<Carrier>> {
+    let mut carriers = Vec::new();
+    for k in 0..contour.segment_count() {
+        let (start, end) = segment(contour, k);
+        let [first, last] = tangents(contour, k);
+        if start.bulge == 0.0 {
+            let through = start.pos() + first.perp().scale(offset);
+            carriers.push(Carrier::Line { through, tangent: first });
+        } else {
+            let (radius, centre) = seg_arc_radius_and_center(start, end);
+            let is_ccw = start.bulge > 0.0;
+            let radius = if is_ccw { radius - offset } else { radius + offset };
+            if radius <= 0.0 {
+                return None;
+            }
+            carriers.push(Carrier::Circle { centre, radius, is_ccw });
+        }
+        let next = tangents(contour, contour.next_wrapping_index(k))[0];
+        let turn = last.perp_dot(next);
+        if turn * offset < 0.0 && turn.abs() > 1e-7 {
+            let (radius, is_ccw) = (offset.abs(), offset < 0.0);
+            carriers.push(Carrier::Circle { centre: end.pos(), radius, is_ccw });
+        }
+    }
+    Some(carriers)
+}
+
+/// Whether the path follows the carriers once around, in their order, and leaves none out.
+fn follows(path: &Polyline, carriers: &[Carrier]) -> bool {
+    let count = carriers.len();
+    (0..count).any(|first| {
+        let mut on = 0;
+        let mut segments = path.iter_segments();
+        segments.all(|(start, end)| {
+            let holds = |on: usize| on < count && carriers[(first + on) % count].holds(start, end);
+            if !holds(on) {
+                on += 1;
+            }
+            let is_held = holds(on);
+            // Parts of one line or circle.
+            while holds(on + 1) {
+                on += 1;
+            }
+            is_held
+        }) && on + 1 == count
+    })
+}
+
+/// The library's offset if it left nothing out.
+fn whole_offset(contour: &Polyline, offset: f64) -> Option<Polyline> {
+    let options = PlineOffsetOptions {
+        pos_equal_eps: SAME,
+        offset_dist_eps: 1e-7,
+        ..PlineOffsetOptions::new()
+    };
+    let mut loops = contour.parallel_offset_opt(offset, &options);
+    let only = loops.pop().filter(|_| loops.is_empty())?;
+    follows(&only, &carriers(contour, offset)?).then_some(only)
+}
+
+/// What the library says of a case. It does not say anything where a hair more or less turns its answer.
+fn judged(case: &Case) -> Option<Option<Polyline>> {
+    let [less, more] = [1.0 - 1e-4, 1.0 + 1e-4]
+        .map(|share| whole_offset(&case.contour, share * case.offset).is_some());
+    let whole = whole_offset(&case.contour, case.offset);
+    (less == more && more == whole.is_some()).then_some(whole)
+}
+
+/// The offset and corner cuts, which close.
+fn path_of(cuts: &[Cut]) -> Polyline {
+    let cuts = cuts.iter().filter(|cut| matches!(cut.role, Role::Offset | Role::Corner));
+    let mut path = polyline_of(cuts.map(|cut| &cut.element));
+    let (first, last) = (path.at(0), path.last().unwrap());
+    assert!((first.pos() - last.pos()).length() < ROUNDING, "{path:?} is open");
+    path.remove_last();
+    path.set_is_closed(true);
+    path
+}
+
+fn run<T: std::fmt::Debug>(
+    cases: u32,
+    strategy: &impl Strategy<Value = T>,
+    test: impl Fn(T) -> Result<(), TestCaseError>,
+) {
+    let config = ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases) };
+    let mut runner = TestRunner::new(config);
+    if let Err(error) = runner.run(strategy, test) {
+        panic!("{error}");
+    }
+}
+
+/// How often each thing happened.
+#[derive(Default)]
+struct Counts(RefCell<BTreeMap<&'static str, u32>>);
+
+impl Counts {
+    fn add(&self, what: &'static str) {
+        *self.0.borrow_mut().entry(what).or_default() += 1;
+    }
+
+    fn of(&self, what: &str) -> u32 {
+        self.0.borrow().get(what).copied().unwrap_or(0)
+    }
+}
+
+fn kind(overcut: &Overcut) -> &'static str {
+    match overcut.kind {
+        OvercutKind::SmallArc { .. } => "small arc",
+        OvercutKind::ShortBlock { .. } => "short block",
+        OvercutKind::NoMeeting { .. } => "no meeting",
+        OvercutKind::Slit => "slit",
+        OvercutKind::Interference { .. } => "interference",
+        _ => "of another kind",
+    }
+}
+
+/// The offset of each block is at the radius from it, and ends where the next cut begins.
+fn check_offsets(case: &Case, section: &Section, cuts: &[Cut]) -> Result<(), TestCaseError> {
+    for cut in cuts.iter().filter(|cut| cut.role == Role::Offset) {
+        let programmed = polyline_of([&section.contour[cut.block - 1].element]);
+        let offset = polyline_of([&cut.element]);
+        for (start, end) in offset.iter_segments() {
+            for point in points(start, end, &programmed) {
+                let distance = programmed.closest_point(point, SAME).unwrap().distance;
+                prop_assert!((distance - case.radius()).abs() < ROUNDING, "{cut:?}: {distance}");
+            }
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn a_contour_is_machined_exactly_where_its_offset_is_whole() {
+    let counts = Counts::default();
+    run(4000, &cases(), |case| {
+        let Some(whole) = judged(&case) else {
+            counts.add("undecided");
+            return Ok(());
+        };
+        let section = case.section();
+        let found = c_type(&section, case.side(), case.radius(), Corners::Arcs);
+        match (whole, found) {
+            (Some(whole), Ok(cuts)) => {
+                counts.add("accepted");
+                check_offsets(&case, &section, &cuts)?;
+                let path = path_of(&cuts);
+                let (least, at) = clearance(&path, &case.contour);
+                prop_assert!(least > case.radius() - 1e-7, "{least} at {at:?}");
+                let close = |one: f64, other: f64| (one - other).abs() < 1e-6 * (1.0 + other.abs());
+                prop_assert!(close(path.path_length(), whole.path_length()));
+                prop_assert!(close(path.area(), whole.area()));
+            }
+            (None, Err(overcuts)) => {
+                prop_assert!(!overcuts.is_empty());
+                for overcut in &overcuts {
+                    counts.add(kind(overcut));
+                }
+            }
+            (Some(whole), Err(overcuts)) => {
+                return Err(TestCaseError::fail(format!("{overcuts:?} although {whole:?}")));
+            }
+            (None, Ok(cuts)) => {
+                let (least, at) = clearance(&path_of(&cuts), &case.contour);
+                return Err(TestCaseError::fail(format!("{least} at {at:?}: {cuts:?}")));
+            }
+        }
+        Ok(())
+    });
+    println!("{:?}", counts.0.borrow());
+}

@@ -1,0 +1,87 @@
+//! Elements of a program as curves of the library `cavalier_contours`, and distances between them.
+
+use cavalier_contours::core::math::Vector2;
+use cavalier_contours::polyline::{
+    PlineSource, PlineSourceMut, PlineVertex, Polyline, seg_arc_radius_and_center,
+    seg_closest_point,
+};
+use onepulse_core::Direction;
+use onepulse_plan::compensation::Element;
+use std::f64::consts::TAU;
+
+/// Positions that the library may take for the same.
+pub const SAME: f64 = 1e-9;
+
+pub fn array(point: Vector2) -> [f64; 2] {
+    [point.x, point.y]
+}
+
+pub fn vector([x, y]: [f64; 2]) -> Vector2 {
+    Vector2::new(x, y)
+}
+
+pub fn polyline_of<'a>(elements: impl IntoIterator<Item = &'a Element>) -> Polyline {
+    let mut path = Polyline::new();
+    let mut last = [0.0; 2];
+    for element in elements {
+        add(&mut path, element);
+        last = match *element {
+            Element::Line { to, .. } | Element::Arc { to, .. } => to,
+        };
+    }
+    path.add(last[0], last[1], 0.0);
+    path
+}
+
+/// An element as the library has it, in segments of at most half a circle.
+fn add(path: &mut Polyline, element: &Element) {
+    match *element {
+        Element::Line { from: [x, y], .. } => path.add(x, y, 0.0),
+        Element::Arc { from, to, centre, direction } => {
+            let (start, end) = (vector(from) - vector(centre), vector(to) - vector(centre));
+            let swept = start.perp_dot(end).atan2(start.dot(end));
+            let sweep = match direction {
+                _ if from == to => TAU,
+                Direction::Ccw => swept.rem_euclid(TAU),
+                Direction::Cw => (-swept).rem_euclid(TAU),
+            };
+            let sign = if direction == Direction::Ccw { 1.0 } else { -1.0 };
+            let bulge = sign * (sweep / 12.0).tan();
+            for part in 0..3 {
+                let angle = sign * sweep * f64::from(part) / 3.0;
+                let (sin, cos) = angle.sin_cos();
+                let at = vector(centre)
+                    + Vector2::new(start.x * cos - start.y * sin, start.x * sin + start.y * cos);
+                path.add(at.x, at.y, bulge);
+            }
+        }
+    }
+}
+
+/// Points of a segment of the path: evenly, and all that can be the nearest to the contour.
+pub fn points(start: PlineVertex, end: PlineVertex, contour: &Polyline) -> Vec<Vector2> {
+    let mut points = vec![start.pos(), end.pos()];
+    let at = |point| seg_closest_point(start, end, point, SAME);
+    for step in 1..32 {
+        let share = f64::from(step) / 32.0;
+        let on_chord = start.pos() + (end.pos() - start.pos()).scale(share);
+        points.push(at(on_chord));
+    }
+    let centre = (start.bulge != 0.0).then(|| seg_arc_radius_and_center(start, end).1);
+    for (from, to) in contour.iter_segments() {
+        points.push(at(from.pos()));
+        if from.bulge != 0.0 {
+            points.push(at(seg_arc_radius_and_center(from, to).1));
+        }
+        points.extend(centre.map(|centre| at(seg_closest_point(from, to, centre, SAME))));
+    }
+    points
+}
+
+/// The least distance of the path's points from the contour, and where.
+pub fn clearance(path: &Polyline, contour: &Polyline) -> (f64, Vector2) {
+    let points = path.iter_segments().flat_map(|(start, end)| points(start, end, contour));
+    let distances =
+        points.map(|point| (contour.closest_point(point, SAME).unwrap().distance, point));
+    distances.min_by(|one, other| one.0.total_cmp(&other.0)).unwrap()
+}
