@@ -15,7 +15,7 @@ use closed_contours::contours;
 use curves::{SAME, array, clearance, points, polyline_of, vector};
 use onepulse_core::Direction;
 use onepulse_plan::compensation::{
-    Block, Corners, Cut, Element, Overcut, OvercutKind, Role, Section, Side, c_type,
+    Block, Corners, Cut, Element, Overcut, OvercutKind, Role, Section, Side, b_type, c_type,
 };
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -313,6 +313,50 @@ fn a_contour_is_machined_exactly_where_its_offset_is_whole() {
                 return Err(TestCaseError::fail(format!("{least} at {at:?}: {cuts:?}")));
             }
         }
+        Ok(())
+    });
+    println!("{:?}", counts.0.borrow());
+}
+
+/// The lines after which the tool comes into an inside corner.
+fn inside_corners(case: &Case, section: &Section) -> Vec<u32> {
+    let contour = &case.contour;
+    let starts = |k: &usize| {
+        let turn = tangents_before(contour, *k)[1].perp_dot(tangents(contour, *k)[0]);
+        turn * case.offset > 1e-7 * case.radius()
+    };
+    let corners = (1..contour.vertex_count()).filter(starts).map(|k| array(contour.at(k).pos()));
+    corners.map(|at| line_to(section, at)).collect()
+}
+
+/// The line of the block that ends at a point.
+fn line_to(section: &Section, at: [f64; 2]) -> u32 {
+    let ends = |block: &&Block| match block.element {
+        Element::Line { to, .. } | Element::Arc { to, .. } => to == at,
+    };
+    section.contour.iter().find(ends).unwrap().line
+}
+
+#[test]
+fn the_b_type_knows_no_inside_corner_and_is_else_the_c_type_with_arcs() {
+    let counts = Counts::default();
+    let tangent = cases().prop_map(|case| Case { is_tangent: true, ..case });
+    run(4000, &tangent, |case| {
+        let section = case.section();
+        let found = b_type(&section, case.side(), case.radius());
+        let inside = inside_corners(&case, &section);
+        if inside.is_empty() {
+            let c_type = c_type(&section, case.side(), case.radius(), Corners::Arcs);
+            counts.add(if found.is_ok() { "accepted" } else { "refused" });
+            prop_assert_eq!(found, c_type);
+            return Ok(());
+        }
+        counts.add("inside corners");
+        let overcuts = found.unwrap_err();
+        let is_inside =
+            |overcut: &&Overcut| matches!(overcut.kind, OvercutKind::InsideCorner { .. });
+        let lines: Vec<_> = overcuts.iter().filter(is_inside).map(|overcut| overcut.line).collect();
+        prop_assert_eq!(lines, inside);
         Ok(())
     });
     println!("{:?}", counts.0.borrow());
