@@ -278,6 +278,10 @@ fn check_offsets(case: &Case, section: &Section, cuts: &[Cut]) -> Result<(), Tes
     Ok(())
 }
 
+fn are_close(one: f64, other: f64) -> bool {
+    (one - other).abs() < 1e-6 * (1.0 + other.abs())
+}
+
 #[test]
 fn a_contour_is_machined_exactly_where_its_offset_is_whole() {
     let counts = Counts::default();
@@ -295,9 +299,8 @@ fn a_contour_is_machined_exactly_where_its_offset_is_whole() {
                 let path = path_of(&cuts);
                 let (least, at) = clearance(&path, &case.contour);
                 prop_assert!(least > case.radius() - 1e-7, "{least} at {at:?}");
-                let close = |one: f64, other: f64| (one - other).abs() < 1e-6 * (1.0 + other.abs());
-                prop_assert!(close(path.path_length(), whole.path_length()));
-                prop_assert!(close(path.area(), whole.area()));
+                prop_assert!(are_close(path.path_length(), whole.path_length()));
+                prop_assert!(are_close(path.area(), whole.area()));
             }
             (None, Err(overcuts)) => {
                 prop_assert!(!overcuts.is_empty());
@@ -311,6 +314,77 @@ fn a_contour_is_machined_exactly_where_its_offset_is_whole() {
             (None, Ok(cuts)) => {
                 let (least, at) = clearance(&path_of(&cuts), &case.contour);
                 return Err(TestCaseError::fail(format!("{least} at {at:?}: {cuts:?}")));
+            }
+        }
+        Ok(())
+    });
+    println!("{:?}", counts.0.borrow());
+}
+
+/// The offset with the C type's corners in place of its arcs: the tangents meet up to a turn of 90°, beyond
+/// that they are the radius long and their ends are joined.
+fn with_straight_corners(case: &Case, whole: &Polyline) -> Polyline {
+    let (contour, radius) = (&case.contour, case.radius());
+    let corner_of = |start: PlineVertex, end: PlineVertex| {
+        let (about, centre) = seg_arc_radius_and_center(start, end);
+        let is_there = |k: &usize| (contour.at(*k).pos() - centre).length() < 1e-6;
+        (0..contour.vertex_count()).find(is_there).filter(|_| (about - radius).abs() < 1e-6)
+    };
+    let mut path = Polyline::new_closed();
+    for (start, end) in whole.iter_segments() {
+        let corner = if start.bulge == 0.0 { None } else { corner_of(start, end) };
+        let Some(corner) = corner else {
+            path.add_vertex(start);
+            continue;
+        };
+        let at = contour.at(corner).pos();
+        let (before, after) = (tangents_before(contour, corner)[1], tangents(contour, corner)[0]);
+        let tip = |tangent: Vector2| at + tangent.perp().scale(case.offset);
+        path.add(start.x, start.y, 0.0);
+        if before.dot(after) >= 0.0 {
+            let half = (before.dot(after) + 1.0) / 2.0;
+            let middle = (tip(before) + tip(after)).scale(0.5) - at;
+            let met = at + middle.scale(1.0 / half);
+            path.add(met.x, met.y, 0.0);
+        } else {
+            let ends = [tip(before) + before.scale(radius), tip(after) - after.scale(radius)];
+            ends.map(|end| path.add(end.x, end.y, 0.0));
+        }
+    }
+    path
+}
+
+#[test]
+fn straight_corners_are_machined_exactly_where_they_keep_clear_of_the_contour() {
+    let counts = Counts::default();
+    run(4000, &cases(), |case| {
+        let found = c_type(&case.section(), case.side(), case.radius(), Corners::Straight);
+        let ours = found.as_ref().map(|cuts| path_of(cuts));
+        if let Ok(path) = &ours {
+            let (least, at) = clearance(path, &case.contour);
+            prop_assert!(least > case.radius() - 1e-7, "{least} at {at:?}");
+        }
+        let Some(whole) = judged(&case) else {
+            counts.add("undecided");
+            return Ok(());
+        };
+        let Some(whole) = whole else {
+            counts.add(if ours.is_ok() { "better than arcs" } else { "refused with arcs as well" });
+            return Ok(());
+        };
+        let path = with_straight_corners(&case, &whole);
+        let (least, at) = clearance(&path, &case.contour);
+        match ours {
+            _ if (1e-7..1e-5).contains(&(case.radius() - least)) => counts.add("undecided"),
+            Ok(ours) => {
+                counts.add("accepted");
+                prop_assert!(least > case.radius() - 1e-7, "{least} at {at:?}");
+                prop_assert!(are_close(ours.path_length(), path.path_length()));
+                prop_assert!(are_close(ours.area(), path.area()));
+            }
+            Err(overcuts) => {
+                counts.add("refused for its corners");
+                prop_assert!(least < case.radius() - 1e-7, "{overcuts:?}, {least} at {at:?}");
             }
         }
         Ok(())
