@@ -10,11 +10,24 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 /// Half the width of the contours.
 const SIZE: f64 = 50.0;
 
-/// Any contour, beginning in the middle of one of its segments.
+/// Any contour, beginning in the middle of one of its segments. Every fourth has its corners rounded to a
+/// thousandth, as programs have: what was tangent is nearly so.
 pub fn contours() -> impl Strategy<Value = Polyline> {
     let kinds = prop_oneof![stars(), rounded(), merged(), circles()];
-    let simple = kinds.prop_filter("the contour meets itself", |contour| {
-        contour.vertex_count() >= 2 && !contour.scan_for_self_intersect()
+    let written = (kinds, prop::bool::weighted(0.25)).prop_map(|(mut contour, is_written)| {
+        if is_written {
+            for k in 0..contour.vertex_count() {
+                let corner = contour.at(k);
+                let [x, y] = [corner.x, corner.y].map(|part| (part * 1000.0).round() / 1000.0);
+                contour.set(k, x, y, corner.bulge);
+            }
+        }
+        contour
+    });
+    let simple = written.prop_filter("the contour meets itself", |contour| {
+        contour.vertex_count() >= 2
+            && contour.iter_segments().all(|(start, end)| (end.pos() - start.pos()).length() > 1e-6)
+            && !contour.scan_for_self_intersect()
     });
     (simple, any::<bool>(), any::<prop::sample::Index>()).prop_map(|(contour, is_turned, first)| {
         let mut contour = from_the_middle(&contour, first.index(contour.vertex_count()));
