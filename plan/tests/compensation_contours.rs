@@ -178,20 +178,22 @@ fn carriers(contour: &Polyline, offset: f64) -> Option<Vec<Carrier>> {
 fn follows(path: &Polyline, carriers: &[Carrier]) -> bool {
     let count = carriers.len();
     (0..count).any(|first| {
+        let holds = |on: usize, (start, end)| {
+            on < count && carriers[(first + on) % count].holds(start, end)
+        };
         let mut on = 0;
-        let mut segments = path.iter_segments();
-        segments.all(|(start, end)| {
-            let holds = |on: usize| on < count && carriers[(first + on) % count].holds(start, end);
-            if !holds(on) {
+        let is_held = path.iter_segments().enumerate().all(|(k, segment)| {
+            if k > 0 && !holds(on, segment) {
                 on += 1;
             }
-            let is_held = holds(on);
+            let is_held = holds(on, segment);
             // Parts of one line or circle.
-            while holds(on + 1) {
+            while holds(on + 1, segment) {
                 on += 1;
             }
             is_held
-        }) && on + 1 == count
+        });
+        is_held && on + 1 == count
     })
 }
 

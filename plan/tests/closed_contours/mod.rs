@@ -29,13 +29,14 @@ pub fn contours() -> impl Strategy<Value = Polyline> {
             && contour.iter_segments().all(|(start, end)| (end.pos() - start.pos()).length() > 1e-6)
             && !contour.scan_for_self_intersect()
     });
-    (simple, any::<bool>(), any::<prop::sample::Index>()).prop_map(|(contour, is_turned, first)| {
-        let mut contour = from_the_middle(&contour, first.index(contour.vertex_count()));
-        if is_turned {
-            contour.invert_direction_mut();
-        }
-        contour
-    })
+    (simple, any::<bool>(), any::<prop::sample::Index>()).prop_map(
+        |(mut contour, is_turned, first)| {
+            if is_turned {
+                contour.invert_direction_mut();
+            }
+            from_the_middle(&contour, first.index(contour.vertex_count()))
+        },
+    )
 }
 
 /// The same contour from the middle of one of its segments.
