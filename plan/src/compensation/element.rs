@@ -26,6 +26,16 @@ pub enum Element {
     },
 }
 
+impl Element {
+    /// Where it starts and where it ends.
+    #[must_use]
+    pub const fn ends(&self) -> [[f64; 2]; 2] {
+        match *self {
+            Self::Line { from, to } | Self::Arc { from, to, .. } => [from, to],
+        }
+    }
+}
+
 /// One block of the program between switching the compensation on and off.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Block {

@@ -1,0 +1,64 @@
+//! Where the offsets of two curves meet at an inside corner.
+//!
+//! Put the corner at the origin. A curve through it with the unit vector n towards the tool and the curvature
+//! κ (positive towards the tool, 0 for a line) has the offset
+//!
+//! n·x − κ x²/2 = r − κ r²/2,  or  n·x = r + κ w  with  w = (x² − r²)/2.
+//!
+//! Two such equations are linear in x, given w: x = x₀ + w x₁. Here x₀ is where the tangents' offsets meet, and
+//! x² = r² + 2w leaves a quadratic equation, A w² − 2 B w + C = 0. The root C/(B + √(B² − A C)) is the one that
+//! comes out of the corner as the radius grows from nothing; the other comes from the other point
+//! that the two programmed curves have in common, where they cross the other way. In A C, B and w x₁
+//! the sine of the turn, by which x₁ divides, cancels, so that nearly tangent curves do no harm.
+
+use super::corner::openness;
+use super::curve::End;
+use super::vector::{Vector, ahead, cross, dot, scaled, sum};
+
+/// What rounding may make of a discriminant of nothing, that of offsets that just touch.
+const ROUNDING: f64 = 1e-12;
+
+/// A point of both offsets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Meeting {
+    pub(super) point: Vector,
+    /// How much of the curve before the corner is not touched, in millimetres along it.
+    pub(super) before: f64,
+    /// How much of the curve after it.
+    pub(super) after: f64,
+}
+
+/// Where the offsets meet at a corner that is neither tangent nor turns back; none if the tool is too large.
+pub(super) fn meeting(before: &End, after: &End, radius: f64) -> Option<Meeting> {
+    let (k1, k2) = (before.curvature, after.curvature);
+    let (n1, n2) = (before.normal, after.normal);
+    let open = openness(before, after);
+    let b = 1.0 - radius * (k1 + k2) / open;
+    let discriminant = 1.0 - 2.0 / open * radius * (k1 + k2 - radius * k1 * k2);
+    if !(b > 0.0 && discriminant >= -ROUNDING) {
+        return None;
+    }
+    let x0 = scaled(radius / open, sum(n1, n2));
+    // x₁ times the sine of the turn, and w divided by it.
+    let x1 = [k1 * n2[1] - k2 * n1[1], k2 * n1[0] - k1 * n2[0]];
+    let w = (radius / open).powi(2) * cross(n1, n2) / (b + discriminant.max(0.0).sqrt());
+    let x = ahead(x0, w, x1);
+    Some(Meeting {
+        point: sum(before.point, x),
+        before: way(before, x, -1.0),
+        after: way(after, x, 1.0),
+    })
+}
+
+/// How far along the programmed curve the point is that the tool touches from x, forward or backward.
+fn way(end: &End, x: Vector, sense: f64) -> f64 {
+    let along = sense * dot(end.tangent, x);
+    let bend = end.curvature.abs();
+    let way = if bend > 0.0 {
+        (bend * along).atan2(1.0 - end.curvature * dot(end.normal, x)) / bend
+    } else {
+        along
+    };
+    // The meeting stays on its side of the line through the centres: less than half a turn ahead.
+    way.max(0.0)
+}
