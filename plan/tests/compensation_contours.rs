@@ -166,7 +166,7 @@ fn carriers(contour: &Polyline, offset: f64) -> Option<Vec<Carrier>> {
         }
         let next = tangents(contour, contour.next_wrapping_index(k))[0];
         let turn = last.perp_dot(next);
-        if turn * offset < 0.0 && turn.abs() > 1e-7 {
+        if turn * offset < -1e-9 {
             let (radius, is_ccw) = (offset.abs(), offset < 0.0);
             carriers.push(Carrier::Circle { centre: end.pos(), radius, is_ccw });
         }
@@ -197,20 +197,39 @@ fn follows(path: &Polyline, carriers: &[Carrier]) -> bool {
     })
 }
 
-/// The library's offset if it left nothing out.
+/// The library's offset if it left nothing out, and the tool can begin where the contour does.
 fn whole_offset(contour: &Polyline, offset: f64) -> Option<Polyline> {
     let options = PlineOffsetOptions {
-        pos_equal_eps: SAME,
+        pos_equal_eps: 1e-7,
         offset_dist_eps: 1e-7,
         ..PlineOffsetOptions::new()
     };
     let mut loops = contour.parallel_offset_opt(offset, &options);
     let only = loops.pop().filter(|_| loops.is_empty())?;
-    follows(&only, &carriers(contour, offset)?).then_some(only)
+    let start = contour.at(0).pos() + tangents(contour, 0)[0].perp().scale(offset);
+    let is_whole = follows(&only, &carriers(contour, offset)?)
+        && only.closest_point(start, SAME)?.distance < 1e-6;
+    is_whole.then_some(only)
+}
+
+/// How far the tips of the radius vectors before and after a corner lie apart: positive at an inside corner,
+/// negative at an outside one.
+fn step(case: &Case, corner: usize) -> f64 {
+    let [before, after] =
+        [tangents_before(&case.contour, corner)[1], tangents(&case.contour, corner)[0]];
+    before.perp_dot(after) * case.offset
+}
+
+/// Whether all corners are tangent but for rounding, or clearly not.
+fn is_clear(case: &Case) -> bool {
+    (0..case.contour.vertex_count()).all(|k| !(1e-10..1e-6).contains(&step(case, k).abs()))
 }
 
 /// What the library says of a case. It does not say anything where a hair more or less turns its answer.
 fn judged(case: &Case) -> Option<Option<Polyline>> {
+    if !is_clear(case) {
+        return None;
+    }
     let [less, more] = [1.0 - 1e-4, 1.0 + 1e-4]
         .map(|share| whole_offset(&case.contour, share * case.offset).is_some());
     let whole = whole_offset(&case.contour, case.offset);
@@ -397,10 +416,7 @@ fn straight_corners_are_machined_exactly_where_they_keep_clear_of_the_contour() 
 /// The lines after which the tool comes into an inside corner.
 fn inside_corners(case: &Case, section: &Section) -> Vec<u32> {
     let contour = &case.contour;
-    let starts = |k: &usize| {
-        let turn = tangents_before(contour, *k)[1].perp_dot(tangents(contour, *k)[0]);
-        turn * case.offset > 1e-7 * case.radius()
-    };
+    let starts = |k: &usize| step(case, *k) > 1e-9;
     let corners = (1..contour.vertex_count()).filter(starts).map(|k| array(contour.at(k).pos()));
     corners.map(|at| line_to(section, at)).collect()
 }
@@ -420,6 +436,10 @@ fn the_b_type_knows_no_inside_corner_and_is_else_the_c_type_with_arcs() {
     run(4000, &tangent, |case| {
         let section = case.section();
         let found = b_type(&section, case.side(), case.radius());
+        if !is_clear(&case) {
+            counts.add("undecided");
+            return Ok(());
+        }
         let inside = inside_corners(&case, &section);
         if inside.is_empty() {
             let c_type = c_type(&section, case.side(), case.radius(), Corners::Arcs);

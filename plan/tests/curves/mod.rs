@@ -1,6 +1,6 @@
 //! Elements of a program as curves of the library `cavalier_contours`, and distances between them.
 
-use cavalier_contours::core::math::Vector2;
+use cavalier_contours::core::math::{Vector2, angle_from_bulge};
 use cavalier_contours::polyline::{
     PlineSource, PlineSourceMut, PlineVertex, Polyline, seg_arc_radius_and_center,
     seg_closest_point,
@@ -60,20 +60,29 @@ fn add(path: &mut Polyline, element: &Element) {
 
 /// Points of a segment of the path: evenly, and all that can be the nearest to the contour.
 pub fn points(start: PlineVertex, end: PlineVertex, contour: &Polyline) -> Vec<Vector2> {
-    let mut points = vec![start.pos(), end.pos()];
-    let at = |point| seg_closest_point(start, end, point, SAME);
-    for step in 1..32 {
-        let share = f64::from(step) / 32.0;
-        let on_chord = start.pos() + (end.pos() - start.pos()).scale(share);
-        points.push(at(on_chord));
+    let chord = end.pos() - start.pos();
+    let sweep = angle_from_bulge(start.bulge);
+    let at = |share: f64| {
+        if sweep.abs() < 1e-9 {
+            return start.pos() + chord.scale(share);
+        }
+        let (sin, cos) = (sweep * (share - 1.0) / 2.0).sin_cos();
+        let way = chord.scale(cos) + chord.perp().scale(sin);
+        start.pos() + way.scale((sweep * share / 2.0).sin() / (sweep / 2.0).sin())
+    };
+    let mut points: Vec<_> = (0..=32).map(|step| at(f64::from(step) / 32.0)).collect();
+    // The library does not see shorter ones clearly.
+    if chord.length() < 1e-3 {
+        return points;
     }
+    let nearest = |point| seg_closest_point(start, end, point, SAME);
     let centre = (start.bulge != 0.0).then(|| seg_arc_radius_and_center(start, end).1);
     for (from, to) in contour.iter_segments() {
-        points.push(at(from.pos()));
+        points.push(nearest(from.pos()));
         if from.bulge != 0.0 {
-            points.push(at(seg_arc_radius_and_center(from, to).1));
+            points.push(nearest(seg_arc_radius_and_center(from, to).1));
         }
-        points.extend(centre.map(|centre| at(seg_closest_point(from, to, centre, SAME))));
+        points.extend(centre.map(|centre| nearest(seg_closest_point(from, to, centre, SAME))));
     }
     points
 }
