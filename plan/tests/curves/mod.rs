@@ -75,14 +75,17 @@ pub fn points(start: PlineVertex, end: PlineVertex, contour: &Polyline) -> Vec<V
     if chord.length() < 1e-3 {
         return points;
     }
+    let arc = (start.bulge != 0.0).then(|| seg_arc_radius_and_center(start, end));
+    // All points of an arc are as near to its centre.
+    let has_nearest = |point: &Vector2| {
+        arc.is_none_or(|(radius, centre)| (*point - centre).length() > 1e-6 * radius)
+    };
     let nearest = |point| seg_closest_point(start, end, point, SAME);
-    let centre = (start.bulge != 0.0).then(|| seg_arc_radius_and_center(start, end).1);
     for (from, to) in contour.iter_segments() {
-        points.push(nearest(from.pos()));
-        if from.bulge != 0.0 {
-            points.push(nearest(seg_arc_radius_and_center(from, to).1));
-        }
-        points.extend(centre.map(|centre| nearest(seg_closest_point(from, to, centre, SAME))));
+        let centre = (from.bulge != 0.0).then(|| seg_arc_radius_and_center(from, to).1);
+        let across = arc.map(|(_, centre)| seg_closest_point(from, to, centre, SAME));
+        let towards = [Some(from.pos()), centre, across].into_iter().flatten();
+        points.extend(towards.filter(has_nearest).map(nearest));
     }
     points
 }
