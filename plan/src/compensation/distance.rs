@@ -201,3 +201,108 @@ fn perpendicular(point: Vector, from: Vector, to: Vector) -> (Vector, Vector) {
     let along = scaled(1.0 / length(way), way);
     (ahead(from, dot(along, between(from, point)), along), left(along))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn shape(from: Vector, to: Vector, centre: Vector, direction: Direction) -> Shape {
+        Shape::of(&Element::Arc { from, to, centre, direction })
+    }
+
+    fn line(from: Vector, to: Vector) -> Shape {
+        Shape::of(&Element::Line { from, to })
+    }
+
+    fn assert_gap(first: &Shape, second: &Shape, expected: f64) {
+        for (a, b) in [(first, second), (second, first)] {
+            let (found, at) = gap(a, b);
+            assert!((found - expected).abs() < 1e-12, "{a:?} {b:?}: {found}, not {expected}");
+            // The place lies on the second.
+            assert!(distance(b.nearest(at), at) < 1e-12);
+        }
+    }
+
+    #[test]
+    fn known_gaps() {
+        let flat = line([0.0, 0.0], [10.0, 0.0]);
+        assert_gap(&flat, &line([2.0, 3.0], [20.0, 3.0]), 3.0);
+        assert_gap(&flat, &line([13.0, 4.0], [20.0, 4.0]), 5.0);
+        assert_gap(&flat, &line([5.0, -1.0], [6.0, 1.0]), 0.0);
+        assert_gap(&flat, &line([5.0, 2.0], [6.0, 9.0]), 2.0);
+        // On one straight line.
+        assert_gap(&flat, &line([12.0, 0.0], [20.0, 0.0]), 2.0);
+        assert_gap(&flat, &line([3.0, 0.0], [20.0, 0.0]), 0.0);
+
+        // The upper half of a circle about (5, 4) of radius 3, and the lower one.
+        let (right, left) = ([8.0, 4.0], [2.0, 4.0]);
+        let upper = shape(right, left, [5.0, 4.0], Direction::Ccw);
+        let lower = shape(right, left, [5.0, 4.0], Direction::Cw);
+        assert_gap(&flat, &upper, 4.0);
+        assert_gap(&flat, &lower, 1.0);
+        let through = line([5.0, -9.0], [5.0, 9.0]);
+        assert_gap(&through, &upper, 0.0);
+        assert_gap(&line([5.0, 3.0], [5.0, 5.0]), &lower, 2.0);
+
+        // Full circles: one inside the other, apart, crossing, about one centre, the same.
+        let circle = |centre: Vector, radius| {
+            let from = ahead(centre, radius, [0.6, 0.8]);
+            shape(from, from, centre, Direction::Cw)
+        };
+        let large = circle([0.0, 0.0], 10.0);
+        assert_gap(&large, &circle([3.0, 4.0], 2.0), 3.0);
+        assert_gap(&large, &circle([12.0, 16.0], 4.0), 6.0);
+        assert_gap(&large, &circle([6.0, 8.0], 4.0), 0.0);
+        assert_gap(&large, &circle([0.0, 0.0], 4.0), 6.0);
+        assert_gap(&large, &large, 0.0);
+        assert_gap(&large, &line([0.0, 0.0], [1.0, 1.0]), 10.0 - f64::sqrt(2.0));
+    }
+
+    #[test]
+    fn bounds_reach_as_far_as_the_arc() {
+        let arc = shape([3.0, 4.0], [4.0, -3.0], [0.0, 0.0], Direction::Ccw);
+        let [least, most] = arc.bounds();
+        assert!(distance(least, [-5.0, -5.0]) < 1e-12 && distance(most, [4.0, 5.0]) < 1e-12);
+        let arc = shape([3.0, 4.0], [4.0, -3.0], [0.0, 0.0], Direction::Cw);
+        let [least, most] = arc.bounds();
+        assert!(distance(least, [3.0, -3.0]) < 1e-12 && distance(most, [5.0, 4.0]) < 1e-12);
+    }
+
+    fn any_element() -> impl Strategy<Value = Element> {
+        let point = || [-10.0..10.0, -10.0..10.0];
+        let arc = (point(), 0.1..10.0, 0.0..TAU, 0.0..TAU, any::<bool>(), 0..8).prop_map(
+            |(centre, radius, first, second, is_left, full)| {
+                let at = |angle: f64| ahead(centre, radius, [angle.cos(), angle.sin()]);
+                let (from, to) = (at(first), at(if full == 0 { first } else { second }));
+                let direction = if is_left { Direction::Ccw } else { Direction::Cw };
+                Element::Arc { from, to, centre, direction }
+            },
+        );
+        let line = (point(), point()).prop_map(|(from, to)| Element::Line { from, to });
+        prop_oneof![line, arc]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(1500) })]
+
+        /// No two sampled points are nearer, and some are as near but for half the steps between them.
+        #[test]
+        fn the_gap_is_that_of_the_nearest_samples(first in any_element(), second in any_element()) {
+            const STEPS: usize = 250;
+            let points = [first, second].map(|element| super::super::tests::sample(&element, STEPS));
+            let [a, b] = &points;
+            let sampled = a
+                .iter()
+                .flat_map(|a| b.iter().map(|b| distance(*a, *b)))
+                .fold(f64::INFINITY, f64::min);
+            // No element is longer than 2π 10 mm; a point is at most half a step from a sample.
+            let step: f64 = points.iter().map(|p| distance(p[0], p[1])).sum();
+            let (found, at) = gap(&Shape::of(&first), &Shape::of(&second));
+            prop_assert!(found <= sampled + 1e-9, "{} over {}", found, sampled);
+            prop_assert!(found >= sampled - 0.51 * step - 1e-9, "{} far below {}", found, sampled);
+            let off = b.iter().map(|b| distance(*b, at)).fold(f64::INFINITY, f64::min);
+            prop_assert!(off <= 0.51 * step + 1e-9, "{:?} is off the second by {}", at, off);
+        }
+    }
+}

@@ -8,6 +8,8 @@ use onepulse_core::Direction::{Ccw, Cw};
 
 const RADIUS: f64 = 4.0;
 const ARC: f64 = 30.0;
+/// Short enough that no two of the arcs meet again.
+const LENGTH: f64 = 25.0;
 /// Turns towards the tool, in degrees, and the points at which the tangents turn.
 const TURNS: [f64; 3] = [60.0, -45.0, -120.0];
 /// A line, an arc to the left, an arc to the right.
@@ -66,12 +68,9 @@ impl Way {
         }
     }
 
-    /// The straight way from its place this far along, whichever way it bends.
+    /// The tangent at the place this far along, to or from there.
     fn straight_on(self, from: f64, by: f64) -> Element {
-        let [start, ahead] = [from, from + 1e-6].map(|way| self.at(way, 0.0));
-        let tangent = [0, 1].map(|axis| (ahead[axis] - start[axis]) / 1e-6);
-        // On an arc the secant is off by half of 1e-6 / ARC.
-        let _ = tangent;
+        let start = self.at(from, 0.0);
         let turned = Way { heading: self.heading + self.bend * from / ARC, ..self };
         let [x, y] = turned.tangent();
         if by > 0.0 {
@@ -129,12 +128,12 @@ fn in_the_run() {
     for turn in TURNS {
         for (before, after, side) in pairs(turn) {
             let section = section(&[
-                before.straight_on(-40.0, -10.0),
-                before.element(-40.0, 0.0),
-                after.element(0.0, 40.0),
-                after.straight_on(40.0, 10.0),
+                before.straight_on(-LENGTH, -10.0),
+                before.element(-LENGTH, 0.0),
+                after.element(0.0, LENGTH),
+                after.straight_on(LENGTH, 10.0),
             ]);
-            let mut expected = vec![(Establish, 0, before.at(-40.0, RADIUS))];
+            let mut expected = vec![(Establish, 0, before.at(-LENGTH, RADIUS))];
             if turn > 0.0 {
                 expected.push((Offset, 1, touch(before, after)));
             } else {
@@ -150,7 +149,7 @@ fn in_the_run() {
                     expected.push((Corner, 1, after.at(0.0, RADIUS)));
                 }
             }
-            expected.push((Offset, 2, after.at(40.0, RADIUS)));
+            expected.push((Offset, 2, after.at(LENGTH, RADIUS)));
             expected.push((Cancel, 3, section.leave.element.ends()[1]));
             let start = section.approach.element.ends()[0];
             assert_path(&c_type(&section, side, RADIUS, Corners::Straight), start, &expected);
@@ -163,9 +162,9 @@ fn establishing() {
     for turn in TURNS {
         for (before, after, side) in pairs(turn).into_iter().filter(|pair| pair.0.bend == 0.0) {
             let section = section(&[
-                before.element(-40.0, 0.0),
-                after.element(0.0, 40.0),
-                after.straight_on(40.0, 10.0),
+                before.element(-LENGTH, 0.0),
+                after.element(0.0, LENGTH),
+                after.straight_on(LENGTH, 10.0),
             ]);
             let mut expected = vec![];
             if turn > 0.0 {
@@ -177,7 +176,7 @@ fn establishing() {
                     expected.push((Corner, 0, after.at(0.0, RADIUS)));
                 }
             }
-            expected.push((Offset, 1, after.at(40.0, RADIUS)));
+            expected.push((Offset, 1, after.at(LENGTH, RADIUS)));
             expected.push((Cancel, 2, section.leave.element.ends()[1]));
             let start = section.approach.element.ends()[0];
             assert_path(&c_type(&section, side, RADIUS, Corners::Straight), start, &expected);
@@ -190,11 +189,11 @@ fn cancelling() {
     for turn in TURNS {
         for (before, after, side) in pairs(turn).into_iter().filter(|pair| pair.1.bend == 0.0) {
             let section = section(&[
-                before.straight_on(-40.0, -10.0),
-                before.element(-40.0, 0.0),
-                after.element(0.0, 40.0),
+                before.straight_on(-LENGTH, -10.0),
+                before.element(-LENGTH, 0.0),
+                after.element(0.0, LENGTH),
             ]);
-            let mut expected = vec![(Establish, 0, before.at(-40.0, RADIUS))];
+            let mut expected = vec![(Establish, 0, before.at(-LENGTH, RADIUS))];
             if turn > 0.0 {
                 expected.push((Offset, 1, before.at(0.0, RADIUS)));
             } else {
@@ -205,7 +204,7 @@ fn cancelling() {
                 expected[1].0 = Offset;
                 expected.push((Corner, 1, after.at(0.0, RADIUS)));
             }
-            expected.push((Cancel, 2, after.at(40.0, 0.0)));
+            expected.push((Cancel, 2, after.at(LENGTH, 0.0)));
             let start = section.approach.element.ends()[0];
             assert_path(&c_type(&section, side, RADIUS, Corners::Straight), start, &expected);
         }
@@ -217,10 +216,10 @@ fn arcs_about_outside_corners_in_both_types() {
     for turn in TURNS {
         for (before, after, side) in pairs(turn) {
             let section = section(&[
-                before.straight_on(-40.0, -10.0),
-                before.element(-40.0, 0.0),
-                after.element(0.0, 40.0),
-                after.straight_on(40.0, 10.0),
+                before.straight_on(-LENGTH, -10.0),
+                before.element(-LENGTH, 0.0),
+                after.element(0.0, LENGTH),
+                after.straight_on(LENGTH, 10.0),
             ]);
             let b_type = b_type(&section, side, RADIUS);
             if turn > 0.0 {
@@ -231,10 +230,10 @@ fn arcs_about_outside_corners_in_both_types() {
                 continue;
             }
             let expected = [
-                (Establish, 0, before.at(-40.0, RADIUS)),
+                (Establish, 0, before.at(-LENGTH, RADIUS)),
                 (Offset, 1, before.at(0.0, RADIUS)),
                 (Corner, 1, after.at(0.0, RADIUS)),
-                (Offset, 2, after.at(40.0, RADIUS)),
+                (Offset, 2, after.at(LENGTH, RADIUS)),
                 (Cancel, 3, section.leave.element.ends()[1]),
             ];
             let start = section.approach.element.ends()[0];
@@ -313,10 +312,10 @@ fn no_radius_leaves_the_program_as_it_is() {
     for turn in TURNS {
         for (before, after, side) in pairs(turn) {
             let elements = [
-                before.straight_on(-40.0, -10.0),
-                before.element(-40.0, 0.0),
-                after.element(0.0, 40.0),
-                after.straight_on(40.0, 10.0),
+                before.straight_on(-LENGTH, -10.0),
+                before.element(-LENGTH, 0.0),
+                after.element(0.0, LENGTH),
+                after.straight_on(LENGTH, 10.0),
             ];
             let paths = [
                 c_type(&section(&elements), side, 0.0, Corners::Straight),
@@ -381,7 +380,7 @@ fn arcs_that_turn_back_bend_apart_or_together() {
             assert_eq!(overcuts[0].kind, OvercutKind::Slit, "{overcuts:?}");
             assert_eq!((overcuts[0].line, overcuts[0].other_line), (20, Some(30)));
         } else {
-            let [x, last] = [start, end].map(|end| [end[0], -22.0]);
+            let [x, last] = [start, end].map(|end| [end[0], -18.0]);
             let sign = if first_is_left { 1.0 } else { -1.0 };
             let expected = [
                 (Establish, 0, x),

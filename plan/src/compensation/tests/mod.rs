@@ -89,7 +89,7 @@ fn assert_path(
 }
 
 /// Points along an element, both ends among them.
-fn sample(element: &Element, count: usize) -> Vec<Point> {
+pub(super) fn sample(element: &Element, count: usize) -> Vec<Point> {
     let share = |i: usize| i as f64 / count as f64;
     match *element {
         Element::Line { from, to } => (0..=count)
