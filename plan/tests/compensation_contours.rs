@@ -5,23 +5,25 @@
 
 mod closed_contours;
 mod curves;
+mod random;
+mod whole_offset;
 
 use cavalier_contours::core::math::Vector2;
 use cavalier_contours::polyline::{
-    PlineOffsetOptions, PlineSource, PlineSourceMut, PlineVertex, Polyline,
-    seg_arc_radius_and_center, seg_closest_point, seg_midpoint, seg_tangent_vector,
+    PlineSource, PlineSourceMut, PlineVertex, Polyline, seg_arc_radius_and_center,
 };
 use closed_contours::contours;
-use curves::{SAME, array, clearance, points, polyline_of, vector};
+use curves::{SAME, clearance, points, polyline_of, vector};
 use onepulse_core::Direction;
 use onepulse_plan::compensation::{
     Block, Corners, Cut, Element, Overcut, OvercutKind, Role, Section, Side, b_type, c_type,
 };
 use proptest::prelude::*;
-use proptest::test_runner::TestRunner;
-use std::cell::RefCell;
-use std::collections::BTreeMap;
+use random::{Counts, run};
+use std::collections::BTreeSet;
+use whole_offset::{Judgement, judge, tangents, tangents_before};
 
+const CASES: u32 = 4000;
 /// Roundings of coordinates of some 100 mm.
 const ROUNDING: f64 = 1e-9;
 
@@ -82,18 +84,8 @@ impl Case {
     }
 }
 
-fn segment(contour: &Polyline, index: usize) -> (PlineVertex, PlineVertex) {
-    (contour.at(index), contour.at(contour.next_wrapping_index(index)))
-}
-
-/// The directions at both ends of a segment.
-fn tangents(contour: &Polyline, index: usize) -> [Vector2; 2] {
-    let (start, end) = segment(contour, index);
-    [start.pos(), end.pos()].map(|at| seg_tangent_vector(start, end, at).normalize())
-}
-
-fn tangents_before(contour: &Polyline, index: usize) -> [Vector2; 2] {
-    tangents(contour, contour.prev_wrapping_index(index))
+fn array(point: Vector2) -> [f64; 2] {
+    [point.x, point.y]
 }
 
 /// The segments as elements of a program: what belongs to one circle is one arc, also over 180°.
@@ -120,98 +112,6 @@ fn elements(contour: &Polyline) -> Vec<Element> {
     elements
 }
 
-/// The curve that a part of an offset lies on.
-#[derive(Clone, Copy, Debug)]
-enum Carrier {
-    Line { through: Vector2, tangent: Vector2 },
-    Circle { centre: Vector2, radius: f64, is_ccw: bool },
-}
-
-impl Carrier {
-    fn holds(&self, start: PlineVertex, end: PlineVertex) -> bool {
-        let ends = [start.pos(), seg_midpoint(start, end), end.pos()];
-        match *self {
-            Carrier::Line { through, tangent } => {
-                start.bulge == 0.0
-                    && tangent.dot(end.pos() - start.pos()) > 0.0
-                    && ends.iter().all(|&at| tangent.perp_dot(at - through).abs() < 1e-6)
-            }
-            Carrier::Circle { centre, radius, is_ccw } => {
-                start.bulge != 0.0
-                    && (start.bulge > 0.0) == is_ccw
-                    && ends.iter().all(|&at| ((at - centre).length() - radius).abs() < 1e-6)
-            }
-        }
-    }
-}
-
-/// What the whole offset consists of, by the definition of an offset: each segment's, and a circle
-/// about each outside corner. None if an arc has no offset.
-fn carriers(contour: &Polyline, offset: f64) -> Option<Vec<Carrier>> {
-    let mut carriers = Vec::new();
-    for k in 0..contour.segment_count() {
-        let (start, end) = segment(contour, k);
-        let [first, last] = tangents(contour, k);
-        if start.bulge == 0.0 {
-            let through = start.pos() + first.perp().scale(offset);
-            carriers.push(Carrier::Line { through, tangent: first });
-        } else {
-            let (radius, centre) = seg_arc_radius_and_center(start, end);
-            let is_ccw = start.bulge > 0.0;
-            let radius = if is_ccw { radius - offset } else { radius + offset };
-            if radius <= 0.0 {
-                return None;
-            }
-            carriers.push(Carrier::Circle { centre, radius, is_ccw });
-        }
-        let next = tangents(contour, contour.next_wrapping_index(k))[0];
-        let turn = last.perp_dot(next);
-        if turn * offset < -1e-9 {
-            let (radius, is_ccw) = (offset.abs(), offset < 0.0);
-            carriers.push(Carrier::Circle { centre: end.pos(), radius, is_ccw });
-        }
-    }
-    Some(carriers)
-}
-
-/// Whether the path follows the carriers once around, in their order, and leaves none out.
-fn follows(path: &Polyline, carriers: &[Carrier]) -> bool {
-    let count = carriers.len();
-    (0..count).any(|first| {
-        let holds = |on: usize, (start, end)| {
-            on < count && carriers[(first + on) % count].holds(start, end)
-        };
-        let mut on = 0;
-        let is_held = path.iter_segments().enumerate().all(|(k, segment)| {
-            if k > 0 && !holds(on, segment) {
-                on += 1;
-            }
-            let is_held = holds(on, segment);
-            // Parts of one line or circle.
-            while holds(on + 1, segment) {
-                on += 1;
-            }
-            is_held
-        });
-        is_held && on + 1 == count
-    })
-}
-
-/// The library's offset if it left nothing out, and the tool can begin where the contour does.
-fn whole_offset(contour: &Polyline, offset: f64) -> Option<Polyline> {
-    let options = PlineOffsetOptions {
-        pos_equal_eps: 1e-7,
-        offset_dist_eps: 1e-7,
-        ..PlineOffsetOptions::new()
-    };
-    let mut loops = contour.parallel_offset_opt(offset, &options);
-    let only = loops.pop().filter(|_| loops.is_empty())?;
-    let start = contour.at(0).pos() + tangents(contour, 0)[0].perp().scale(offset);
-    let is_whole = follows(&only, &carriers(contour, offset)?)
-        && only.closest_point(start, SAME)?.distance < 1e-6;
-    is_whole.then_some(only)
-}
-
 /// How far the tips of the radius vectors before and after a corner lie apart: positive at an inside corner,
 /// negative at an outside one.
 fn step(case: &Case, corner: usize) -> f64 {
@@ -225,15 +125,8 @@ fn is_clear(case: &Case) -> bool {
     (0..case.contour.vertex_count()).all(|k| !(1e-10..1e-6).contains(&step(case, k).abs()))
 }
 
-/// What the library says of a case. It does not say anything where a hair more or less turns its answer.
-fn judged(case: &Case) -> Option<Option<Polyline>> {
-    if !is_clear(case) {
-        return None;
-    }
-    let [less, more] = [1.0 - 1e-4, 1.0 + 1e-4]
-        .map(|share| whole_offset(&case.contour, share * case.offset).is_some());
-    let whole = whole_offset(&case.contour, case.offset);
-    (less == more && more == whole.is_some()).then_some(whole)
+fn judged(case: &Case) -> Judgement {
+    if is_clear(case) { judge(&case.contour, case.offset) } else { Judgement::Undecided }
 }
 
 /// The offset and corner cuts, which close.
@@ -247,32 +140,6 @@ fn path_of(cuts: &[Cut]) -> Polyline {
     path
 }
 
-fn run<T: std::fmt::Debug>(
-    cases: u32,
-    strategy: &impl Strategy<Value = T>,
-    test: impl Fn(T) -> Result<(), TestCaseError>,
-) {
-    let config = ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases) };
-    let mut runner = TestRunner::new(config);
-    if let Err(error) = runner.run(strategy, test) {
-        panic!("{error}");
-    }
-}
-
-/// How often each thing happened.
-#[derive(Default)]
-struct Counts(RefCell<BTreeMap<&'static str, u32>>);
-
-impl Counts {
-    fn add(&self, what: &'static str) {
-        *self.0.borrow_mut().entry(what).or_default() += 1;
-    }
-
-    fn of(&self, what: &str) -> u32 {
-        self.0.borrow().get(what).copied().unwrap_or(0)
-    }
-}
-
 fn kind(overcut: &Overcut) -> &'static str {
     match overcut.kind {
         OvercutKind::SmallArc { .. } => "small arc",
@@ -284,9 +151,21 @@ fn kind(overcut: &Overcut) -> &'static str {
     }
 }
 
-/// The offset of each block is at the radius from it, and ends where the next cut begins.
-fn check_offsets(case: &Case, section: &Section, cuts: &[Cut]) -> Result<(), TestCaseError> {
-    for cut in cuts.iter().filter(|cut| cut.role == Role::Offset) {
+fn ends(element: &Element) -> [Vector2; 2] {
+    let (Element::Line { from, to } | Element::Arc { from, to, .. }) = *element;
+    [vector(from), vector(to)]
+}
+
+/// The path hangs together, and the offset of each block is at the radius from it.
+fn check_cuts(case: &Case, section: &Section, cuts: &[Cut]) -> Result<(), TestCaseError> {
+    let mut at = ends(&section.approach.element)[0];
+    for cut in cuts {
+        let [from, to] = ends(&cut.element);
+        prop_assert!((from - at).length() < ROUNDING, "{cut:?} does not begin at {at:?}");
+        at = to;
+        if cut.role != Role::Offset {
+            continue;
+        }
         let programmed = polyline_of([&section.contour[cut.block - 1].element]);
         let offset = polyline_of([&cut.element]);
         for (start, end) in offset.iter_segments() {
@@ -296,6 +175,8 @@ fn check_offsets(case: &Case, section: &Section, cuts: &[Cut]) -> Result<(), Tes
             }
         }
     }
+    let end = ends(&section.leave.element)[1];
+    prop_assert!((end - at).length() < ROUNDING, "{at:?} is not the end");
     Ok(())
 }
 
@@ -306,40 +187,51 @@ fn are_close(one: f64, other: f64) -> bool {
 #[test]
 fn a_contour_is_machined_exactly_where_its_offset_is_whole() {
     let counts = Counts::default();
-    run(4000, &cases(), |case| {
-        let Some(whole) = judged(&case) else {
-            counts.add("undecided");
-            return Ok(());
-        };
+    run(CASES, &cases(), |case| {
         let section = case.section();
         let found = c_type(&section, case.side(), case.radius(), Corners::Arcs);
-        match (whole, found) {
-            (Some(whole), Ok(cuts)) => {
-                counts.add("accepted");
-                check_offsets(&case, &section, &cuts)?;
+        match (judged(&case), found) {
+            (Judgement::Undecided, _) => counts.add("undecided", 1),
+            (Judgement::Whole(whole), Ok(cuts)) => {
+                counts.add("accepted", 1);
+                check_cuts(&case, &section, &cuts)?;
                 let path = path_of(&cuts);
                 let (least, at) = clearance(&path, &case.contour);
                 prop_assert!(least > case.radius() - 1e-7, "{least} at {at:?}");
                 prop_assert!(are_close(path.path_length(), whole.path_length()));
                 prop_assert!(are_close(path.area(), whole.area()));
             }
-            (None, Err(overcuts)) => {
-                prop_assert!(!overcuts.is_empty());
-                for overcut in &overcuts {
-                    counts.add(kind(overcut));
+            (Judgement::Lacking, Err(overcuts)) => {
+                let kinds: BTreeSet<_> = overcuts.iter().map(kind).collect();
+                prop_assert!(!kinds.is_empty());
+                counts.add("refused", 1);
+                kinds.into_iter().for_each(|kind| counts.add(kind, 1));
+                match case.contour.parallel_offset(case.offset).len() {
+                    0 => counts.add("no loop", 1),
+                    1 => (),
+                    _ => counts.add("several loops", 1),
                 }
             }
-            (Some(whole), Err(overcuts)) => {
+            (Judgement::Whole(whole), Err(overcuts)) => {
                 return Err(TestCaseError::fail(format!("{overcuts:?} although {whole:?}")));
             }
-            (None, Ok(cuts)) => {
+            (Judgement::Lacking, Ok(cuts)) => {
                 let (least, at) = clearance(&path_of(&cuts), &case.contour);
                 return Err(TestCaseError::fail(format!("{least} at {at:?}: {cuts:?}")));
             }
         }
         Ok(())
     });
-    println!("{:?}", counts.0.borrow());
+    counts.check(&[
+        ("accepted", CASES / 2),
+        ("refused", CASES / 10),
+        ("small arc", CASES / 20),
+        ("short block", CASES / 20),
+        ("no meeting", CASES / 200),
+        ("interference", CASES / 20),
+        ("no loop", CASES / 50),
+        ("several loops", CASES / 400),
+    ]);
 }
 
 /// The offset with the C type's corners in place of its arcs: the tangents meet up to a turn of 90°, beyond
@@ -369,7 +261,9 @@ fn with_straight_corners(case: &Case, whole: &Polyline) -> Polyline {
             path.add(met.x, met.y, 0.0);
         } else {
             let ends = [tip(before) + before.scale(radius), tip(after) - after.scale(radius)];
-            ends.map(|end| path.add(end.x, end.y, 0.0));
+            for end in ends {
+                path.add(end.x, end.y, 0.0);
+            }
         }
     }
     path
@@ -378,39 +272,42 @@ fn with_straight_corners(case: &Case, whole: &Polyline) -> Polyline {
 #[test]
 fn straight_corners_are_machined_exactly_where_they_keep_clear_of_the_contour() {
     let counts = Counts::default();
-    run(4000, &cases(), |case| {
+    run(CASES, &cases(), |case| {
         let found = c_type(&case.section(), case.side(), case.radius(), Corners::Straight);
         let ours = found.as_ref().map(|cuts| path_of(cuts));
         if let Ok(path) = &ours {
             let (least, at) = clearance(path, &case.contour);
             prop_assert!(least > case.radius() - 1e-7, "{least} at {at:?}");
         }
-        let Some(whole) = judged(&case) else {
-            counts.add("undecided");
-            return Ok(());
-        };
-        let Some(whole) = whole else {
-            counts.add(if ours.is_ok() { "better than arcs" } else { "refused with arcs as well" });
-            return Ok(());
+        let whole = match judged(&case) {
+            Judgement::Undecided => {
+                counts.add("undecided", 1);
+                return Ok(());
+            }
+            Judgement::Lacking => {
+                counts.add(if ours.is_ok() { "clear without arcs" } else { "refused as well" }, 1);
+                return Ok(());
+            }
+            Judgement::Whole(whole) => whole,
         };
         let path = with_straight_corners(&case, &whole);
         let (least, at) = clearance(&path, &case.contour);
         match ours {
-            _ if (1e-7..1e-5).contains(&(case.radius() - least)) => counts.add("undecided"),
+            _ if (1e-7..1e-5).contains(&(case.radius() - least)) => counts.add("undecided", 1),
             Ok(ours) => {
-                counts.add("accepted");
+                counts.add("accepted", 1);
                 prop_assert!(least > case.radius() - 1e-7, "{least} at {at:?}");
                 prop_assert!(are_close(ours.path_length(), path.path_length()));
                 prop_assert!(are_close(ours.area(), path.area()));
             }
             Err(overcuts) => {
-                counts.add("refused for its corners");
+                counts.add("refused for its corners", 1);
                 prop_assert!(least < case.radius() - 1e-7, "{overcuts:?}, {least} at {at:?}");
             }
         }
         Ok(())
     });
-    println!("{:?}", counts.0.borrow());
+    counts.check(&[("accepted", CASES / 2), ("refused as well", CASES / 10)]);
 }
 
 /// The lines after which the tool comes into an inside corner.
@@ -433,21 +330,21 @@ fn line_to(section: &Section, at: [f64; 2]) -> u32 {
 fn the_b_type_knows_no_inside_corner_and_is_else_the_c_type_with_arcs() {
     let counts = Counts::default();
     let tangent = cases().prop_map(|case| Case { is_tangent: true, ..case });
-    run(4000, &tangent, |case| {
+    run(CASES, &tangent, |case| {
         let section = case.section();
         let found = b_type(&section, case.side(), case.radius());
         if !is_clear(&case) {
-            counts.add("undecided");
+            counts.add("undecided", 1);
             return Ok(());
         }
         let inside = inside_corners(&case, &section);
         if inside.is_empty() {
             let c_type = c_type(&section, case.side(), case.radius(), Corners::Arcs);
-            counts.add(if found.is_ok() { "accepted" } else { "refused" });
+            counts.add(if found.is_ok() { "accepted" } else { "refused" }, 1);
             prop_assert_eq!(found, c_type);
             return Ok(());
         }
-        counts.add("inside corners");
+        counts.add("inside corners", 1);
         let overcuts = found.unwrap_err();
         let is_inside =
             |overcut: &&Overcut| matches!(overcut.kind, OvercutKind::InsideCorner { .. });
@@ -455,5 +352,6 @@ fn the_b_type_knows_no_inside_corner_and_is_else_the_c_type_with_arcs() {
         prop_assert_eq!(lines, inside);
         Ok(())
     });
-    println!("{:?}", counts.0.borrow());
+    let least = CASES / 50;
+    counts.check(&[("accepted", least), ("refused", least), ("inside corners", least)]);
 }

@@ -12,7 +12,7 @@ const SIZE: f64 = 50.0;
 
 /// Any contour, beginning in the middle of one of its segments. Every fourth has its corners rounded to a
 /// thousandth, as programs have: what was tangent is nearly so.
-pub fn contours() -> impl Strategy<Value = Polyline> {
+pub(crate) fn contours() -> impl Strategy<Value = Polyline> {
     let kinds = prop_oneof![stars(), rounded(), merged(), circles()];
     let written = (kinds, prop::bool::weighted(0.25)).prop_map(|(mut contour, is_written)| {
         if is_written {
@@ -40,13 +40,13 @@ pub fn contours() -> impl Strategy<Value = Polyline> {
 }
 
 /// The same contour from the middle of one of its segments.
-pub fn from_the_middle(contour: &Polyline, segment: usize) -> Polyline {
+pub(crate) fn from_the_middle(contour: &Polyline, segment: usize) -> Polyline {
     let next = contour.at(contour.next_wrapping_index(segment));
     let middle = cavalier_contours::polyline::seg_midpoint(contour.at(segment), next);
     contour.rotate_start(segment, middle, 1e-9).unwrap()
 }
 
-pub fn polyline(vertices: impl IntoIterator<Item = ([f64; 2], f64)>) -> Polyline {
+pub(crate) fn polyline(vertices: impl IntoIterator<Item = ([f64; 2], f64)>) -> Polyline {
     let mut contour = Polyline::new_closed();
     for ([x, y], bulge) in vertices {
         contour.add(x, y, bulge);

@@ -10,17 +10,13 @@ use onepulse_plan::compensation::Element;
 use std::f64::consts::TAU;
 
 /// Positions that the library may take for the same.
-pub const SAME: f64 = 1e-9;
+pub(crate) const SAME: f64 = 1e-9;
 
-pub fn array(point: Vector2) -> [f64; 2] {
-    [point.x, point.y]
-}
-
-pub fn vector([x, y]: [f64; 2]) -> Vector2 {
+pub(crate) fn vector([x, y]: [f64; 2]) -> Vector2 {
     Vector2::new(x, y)
 }
 
-pub fn polyline_of<'a>(elements: impl IntoIterator<Item = &'a Element>) -> Polyline {
+pub(crate) fn polyline_of<'a>(elements: impl IntoIterator<Item = &'a Element>) -> Polyline {
     let mut path = Polyline::new();
     let mut last = [0.0; 2];
     for element in elements {
@@ -59,7 +55,7 @@ fn add(path: &mut Polyline, element: &Element) {
 }
 
 /// Points of a segment of the path: evenly, and all that can be the nearest to the contour.
-pub fn points(start: PlineVertex, end: PlineVertex, contour: &Polyline) -> Vec<Vector2> {
+pub(crate) fn points(start: PlineVertex, end: PlineVertex, contour: &Polyline) -> Vec<Vector2> {
     let chord = end.pos() - start.pos();
     let sweep = angle_from_bulge(start.bulge);
     let at = |share: f64| {
@@ -91,7 +87,7 @@ pub fn points(start: PlineVertex, end: PlineVertex, contour: &Polyline) -> Vec<V
 }
 
 /// The least distance of the path's points from the contour, and where.
-pub fn clearance(path: &Polyline, contour: &Polyline) -> (f64, Vector2) {
+pub(crate) fn clearance(path: &Polyline, contour: &Polyline) -> (f64, Vector2) {
     let points = path.iter_segments().flat_map(|(start, end)| points(start, end, contour));
     let distances =
         points.map(|point| (contour.closest_point(point, SAME).unwrap().distance, point));

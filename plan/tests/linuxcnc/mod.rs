@@ -6,14 +6,14 @@ use std::process::{Command, Stdio};
 
 /// A move to a point, in millimetres with four decimals.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Move {
-    pub to: [f64; 2],
+pub(crate) struct Move {
+    pub(crate) to: [f64; 2],
     /// The centre and the sense of an arc.
-    pub arc: Option<([f64; 2], Direction)>,
+    pub(crate) arc: Option<([f64; 2], Direction)>,
 }
 
 /// The moves at feed while the compensation is on, or the reason why there are none.
-pub fn compensated(program: &str) -> Result<Vec<Move>, String> {
+pub(crate) fn compensated(program: &str) -> Result<Vec<Move>, String> {
     let mut interpreter = Command::new("rs274")
         .args(["-g", "/dev/stdin"])
         .stdin(Stdio::piped())
