@@ -31,6 +31,7 @@ struct Case {
 }
 
 /// How the way goes on: by how much it turns first, then a line, or an arc with its radius and sweep.
+/// Angles are in degrees, so that right ones are exact.
 #[derive(Clone, Copy, Debug)]
 struct Step {
     turn: f64,
@@ -39,60 +40,92 @@ struct Step {
 }
 
 /// The interpreter passes over corners of less than 2.87°: they are tangent or of 4° and more.
-fn turns(most: f64) -> impl Strategy<Value = f64> {
-    prop_oneof![1 => Just(0.0), 2 => 4.0..most, 2 => -most..-4.0].prop_map(f64::to_radians)
+fn turns() -> impl Strategy<Value = f64> {
+    prop_oneof![1 => Just(0.0), 2 => 4.0..175.0, 2 => -175.0..-4.0]
 }
 
 fn steps() -> impl Strategy<Value = Step> {
-    let sweep = prop_oneof![2 => Just(0.0), 1 => 10.0..270.0_f64, 1 => -270.0..-10.0_f64];
-    (turns(175.0), 0.3..1.8_f64, sweep).prop_map(|(turn, digits, sweep)| Step {
+    let circle = prop::sample::select(&[-360.0, 360.0]);
+    let sweep = prop_oneof![8 => Just(0.0), 4 => 10.0..270.0, 4 => -270.0..-10.0, 1 => circle];
+    (turns(), 0.3..1.8_f64, sweep).prop_map(|(turn, digits, sweep)| Step {
         turn,
         length: 10_f64.powf(digits),
-        sweep: sweep.to_radians(),
+        sweep,
     })
 }
 
+/// Lines and arcs of a grid: right angles, half and full circles, lines that double back on themselves.
+fn steps_on_grid() -> impl Strategy<Value = Step> {
+    let sweep = prop::sample::select(&[-360.0, -180.0, -90.0, 0.0, 0.0, 0.0, 90.0, 180.0, 360.0]);
+    (prop::sample::select(&[-90.0, 0.0, 90.0, 180.0]), 1..10_u8, sweep)
+        .prop_map(|(turn, length, sweep)| Step { turn, length: f64::from(length), sweep })
+}
+
 fn cases() -> impl Strategy<Value = Case> {
-    let ends = [0.0..170.0_f64, 0.0..170.0_f64];
-    (ends, prop::collection::vec(steps(), 1..6), -0.5..1.0_f64, any::<bool>()).prop_map(
-        |(ends, mut steps, digits, is_left)| {
+    let free = (
+        (0.0..170.0, 0.0..170.0),
+        prop::collection::vec(steps(), 1..6),
+        (-0.5..1.0_f64).prop_map(|digits| 10_f64.powf(digits)),
+    );
+    // No sum of lengths and no radius is one of these, nor twice one.
+    let right = prop::sample::select(&[0.0, 90.0]);
+    let on_grid = (
+        (right.clone(), right),
+        prop::collection::vec(steps_on_grid(), 1..8),
+        prop::sample::select(&[0.3, 0.7, 1.2, 2.3]),
+    );
+    (prop_oneof![3 => free, 1 => on_grid], any::<bool>()).prop_map(
+        |(((first, last), mut steps, radius), is_left)| {
             // The first corner is tangent or an outside one, the last one tangent or an inside one: there the
             // interpreter's first and last moves and ours agree.
+            let turn = |angle: f64| if angle < 4.0 { 0.0 } else { angle };
             let sign = if is_left { 1.0 } else { -1.0 };
-            let [first, last] =
-                ends.map(|turn| if turn < 4.0 { 0.0 } else { sign * turn.to_radians() });
-            steps[0].turn = -first;
-            let radius = 10_f64.powf(digits);
+            steps[0].turn = -sign * turn(first);
             let side = if is_left { Side::Left } else { Side::Right };
-            Case { section: section(&steps, last), side, radius }
+            Case { section: section(&steps, sign * turn(last)), side, radius }
         },
     )
+}
+
+/// The unit vector in a direction.
+fn unit(degrees: f64) -> [f64; 2] {
+    let quarters = degrees.rem_euclid(360.0) / 90.0;
+    if quarters.fract() == 0.0 {
+        [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][quarters as usize % 4]
+    } else {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        [cos, sin]
+    }
 }
 
 /// The way that the steps describe, from and to 60 mm away from it.
 fn section(steps: &[Step], last_turn: f64) -> Section {
     let mut at = [0.0, 0.0];
-    let mut heading = 0.0_f64;
+    let mut heading = 0.0;
     let mut contour = Vec::new();
     for (step, line) in steps.iter().zip(2..) {
         heading += step.turn;
         let from = at;
         let element = if step.sweep == 0.0 {
-            at = [at[0] + step.length * heading.cos(), at[1] + step.length * heading.sin()];
+            let [x, y] = unit(heading);
+            at = [at[0] + step.length * x, at[1] + step.length * y];
             Element::Line { from, to: at }
         } else {
-            let is_ccw = step.sweep > 0.0;
-            let radius = if is_ccw { step.length } else { -step.length };
-            let centre = [at[0] - radius * heading.sin(), at[1] + radius * heading.cos()];
+            let quarter = 90_f64.copysign(step.sweep);
+            let [x, y] = unit(heading + quarter);
+            let centre = [at[0] + step.length * x, at[1] + step.length * y];
             heading += step.sweep;
-            at = [centre[0] + radius * heading.sin(), centre[1] - radius * heading.cos()];
-            let direction = if is_ccw { Direction::Ccw } else { Direction::Cw };
+            if step.sweep.abs() < 360.0 {
+                let [x, y] = unit(heading - quarter);
+                at = [centre[0] + step.length * x, centre[1] + step.length * y];
+            }
+            let direction = if step.sweep > 0.0 { Direction::Ccw } else { Direction::Cw };
             Element::Arc { from, to: at, centre, direction }
         };
         contour.push(Block { element, line, is_machined: true });
     }
-    heading += last_turn;
-    let away = [at[0] + 60.0 * heading.cos(), at[1] + 60.0 * heading.sin()];
+    let [x, y] = unit(heading + last_turn);
+    let away = [at[0] + 60.0 * x, at[1] + 60.0 * y];
     let line =
         |from, to, line| Block { element: Element::Line { from, to }, line, is_machined: true };
     let leave = line(at, away, contour.len() as u32 + 2);
@@ -216,7 +249,7 @@ fn check_straight(case: &Case, straight: &[Cut], arcs: &[Cut]) -> Result<u32, Te
 fn random_programs_run_as_linuxcnc_runs_them() {
     let counts = Counts::default();
     let count = |what, many| counts.add(what, many);
-    run(300, &cases(), |case| {
+    run(400, &cases(), |case| {
         let theirs = compensated(&program(&case));
         let ours = c_type(&case.section, case.side, case.radius, Corners::Arcs);
         let moves = match theirs {

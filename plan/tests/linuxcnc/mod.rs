@@ -16,6 +16,8 @@ pub(crate) struct Move {
 pub(crate) fn compensated(program: &str) -> Result<Vec<Move>, String> {
     let mut interpreter = Command::new("rs274")
         .args(["-g", "/dev/stdin"])
+        // It maps a file of tools there, over which two interpreters at once may stumble.
+        .env("HOME", env!("CARGO_TARGET_TMPDIR"))
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -25,7 +27,7 @@ pub(crate) fn compensated(program: &str) -> Result<Vec<Move>, String> {
     let _ = interpreter.stdin.take().unwrap().write_all(program.as_bytes());
     let output = interpreter.wait_with_output().unwrap();
     if !output.status.success() {
-        return Err(String::from_utf8_lossy(&output.stderr).into_owned());
+        return Err(format!("{}: {}", output.status, String::from_utf8_lossy(&output.stderr)));
     }
     let printed = String::from_utf8(output.stdout).unwrap();
     let is_compensated = |line: &&str| !line.contains("cutter radius compensation off");
