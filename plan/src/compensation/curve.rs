@@ -108,12 +108,10 @@ impl Curve {
 
 /// How far an arc turns, in radians: over 0, to a full circle if its ends are equal.
 pub(super) fn sweep(from: Vector, to: Vector, centre: Vector, direction: Direction) -> f64 {
-    if from == to {
-        return TAU;
-    }
     let [from, to] = [from, to].map(|point| between(centre, point));
     let turn = if direction == Direction::Ccw { 1.0 } else { -1.0 };
     let angle = (turn * cross(from, to)).atan2(dot(from, to));
+    // Equal ends give 0 exactly.
     if angle > 0.0 { angle } else { angle + TAU }
 }
 

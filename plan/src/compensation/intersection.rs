@@ -35,6 +35,8 @@ pub(super) fn meeting(before: &End, after: &End, radius: f64) -> Option<Meeting>
     let open = openness(before, after);
     let b = 1.0 - radius * (k1 + k2) / open;
     let discriminant = 1.0 - 2.0 / open * radius * (k1 + k2 - radius * k1 * k2);
+    // As long as the tool is smaller than both arcs, the discriminant falls as the radius grows, and b is positive
+    // up to where it vanishes.
     if !(b > 0.0 && discriminant >= -ROUNDING) {
         return None;
     }

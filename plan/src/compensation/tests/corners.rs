@@ -2,7 +2,7 @@
 //! and when cancelling.
 
 use super::{Point, arc, assert_path, distance, line, section};
-use crate::compensation::{Corners, Cut, Element, OvercutKind, Role, Side, b_type, c_type};
+use crate::compensation::{Corners, Element, OvercutKind, Role, Side, b_type, c_type};
 use Role::{Cancel, Corner, Establish, Offset};
 use onepulse_core::Direction::{Ccw, Cw};
 
@@ -10,8 +10,8 @@ const RADIUS: f64 = 4.0;
 const ARC: f64 = 30.0;
 /// Short enough that no two of the arcs meet again.
 const LENGTH: f64 = 25.0;
-/// Turns towards the tool, in degrees, and the points at which the tangents turn.
-const TURNS: [f64; 3] = [60.0, -45.0, -120.0];
+/// Turns towards the tool, in degrees: shortened, extended twice, with a link inserted twice.
+const TURNS: [f64; 5] = [60.0, -45.0, -85.0, -95.0, -120.0];
 /// A line, an arc to the left, an arc to the right.
 const BENDS: [f64; 3] = [0.0, 1.0, -1.0];
 const CORNER: Point = [7.0, -3.0];
@@ -279,12 +279,27 @@ fn full_circles_inside_and_outside() {
 }
 
 #[test]
+fn a_full_circle_stays_one_whatever_the_rounding() {
+    for i in 0..1000 {
+        let heading = 0.1 + f64::from(i);
+        let ([x, y], start) = ([heading.cos(), heading.sin()], [0.1 * f64::from(i), 0.7]);
+        let touch = [start[0] + 20.3 * x, start[1] + 20.3 * y];
+        let centre = [touch[0] - 9.1 * y, touch[1] + 9.1 * x];
+        let leave = [touch[0] + 20.3 * x, touch[1] + 20.3 * y];
+        let circle = arc(touch, touch, centre, Ccw);
+        let section = section(&[line(start, touch), circle, line(touch, leave)]);
+        for side in [Side::Left, Side::Right] {
+            let path = c_type(&section, side, 3.3, Corners::Straight).unwrap();
+            let [from, to] = path[1].element.ends();
+            assert_eq!(from, to);
+        }
+    }
+}
+
+#[test]
 fn a_full_circle_cut_short_at_both_ends() {
-    // Inside a circle about (0, 0) of radius 10 with r = 5, between two walls along the x axis: from the left wall
-    // up round the circle, clockwise. The offset of the line y = 0 is y = 5 seen from (-10, 0).
+    // Along a wall to a round pillar, clockwise round it, and back along the wall, which has no thickness.
     let circle = arc([-10.0, 0.0], [-10.0, 0.0], [0.0, 0.0], Cw);
-    let expected_sweep =
-        |cut: &Cut| matches!(cut.element, Element::Arc { from, to, .. } if from != to);
     let start = [-40.0, 0.0];
     let walls = super::unchecked(section(&[
         line(start, [-30.0, 0.0]),
@@ -293,7 +308,7 @@ fn a_full_circle_cut_short_at_both_ends() {
         line([-10.0, 0.0], [-30.0, 0.0]),
         line([-30.0, 0.0], [-40.0, 0.0]),
     ]));
-    // On the left, outside the circle: at (-10, 0) both corners are inside ones, of a right angle.
+    // The pillar's offset has the radius 15 and meets y = ±5.
     let path = c_type(&walls, Side::Left, 5.0, Corners::Straight);
     let x = -f64::sqrt(15.0 * 15.0 - 5.0 * 5.0);
     let expected = [
@@ -304,7 +319,9 @@ fn a_full_circle_cut_short_at_both_ends() {
         (Cancel, 4, [-40.0, 0.0]),
     ];
     assert_path(&path, start, &expected);
-    assert!(expected_sweep(&path.unwrap()[2]));
+    // Round the far side.
+    let middle = super::sample(&path.unwrap()[2].element, 2)[1];
+    assert!(distance(middle, [15.0, 0.0]) < 1e-9);
 }
 
 #[test]

@@ -258,6 +258,32 @@ fn all_overcuts_are_reported_at_once() {
 }
 
 #[test]
+fn a_corner_counts_if_one_of_its_blocks_does() {
+    // As above: the tip's blocks are lines 20 and 30, the wall is line 60.
+    let mut section = lines(&[
+        [-70.0, -10.0],
+        [-60.0, -10.0],
+        [0.0, 0.0],
+        [-60.0, 10.0],
+        [-60.0, 60.0],
+        [10.0, 60.0],
+        [10.0, -60.0],
+        [10.0, -70.0],
+    ]);
+    section.contour[0].is_machined = false;
+    let refused_lines = |section: &Section| {
+        let overcuts = refused(section, Side::Right, 5.0);
+        overcuts.iter().map(|o| [o.line, o.other_line.unwrap()]).collect::<Vec<_>>()
+    };
+    assert_eq!(refused_lines(&section), [[20, 60], [30, 60]]);
+    section.contour[0].is_machined = true;
+    section.contour[1].is_machined = false;
+    assert_eq!(refused_lines(&section), [[20, 60]]);
+    section.contour[0].is_machined = false;
+    assert!(c_type(&section, Side::Right, 5.0, Corners::Straight).is_ok());
+}
+
+#[test]
 fn each_pair_of_lines_is_reported_once_and_twenty_at_most() {
     // Along a saw with its teeth up, and back along a wall above, so near that the tool cuts into every tooth.
     let saw = |teeth: u32| {
