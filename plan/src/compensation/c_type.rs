@@ -17,8 +17,8 @@ use super::{Corners, Cut, Overcut, OvercutKind, Section, Side};
 /// | 90° to 180° | extend: to where the tangents at the ends of both offsets meet |
 /// | below 90° | insert: both offsets lengthened by the radius, and a link between their ends |
 ///
-/// A section without a contour, or whose blocks all have no length, has nothing to be compensated: the path is
-/// the approach and the leave as programmed.
+/// A section without a contour, or whose blocks all have no length, has nothing to be compensated:
+/// the path is the approach and the leave as programmed.
 ///
 /// # Errors
 /// All places found at which the tool would cut into the contour, or what is no section at all.

@@ -1,8 +1,8 @@
 //! The distance between two lines or arcs, in closed form.
 //!
-//! The nearest points of two curves are a point that they share, an end of one and the point of the other nearest
-//! to it, or two inner points on one normal of both. The normals of a circle go through its centre, so
-//! that each case is a handful of points.
+//! The nearest points of two curves are a point that they share, an end of one and the point of the
+//! other nearest to it, or two inner points on one normal of both. The normals of a circle go
+//! through its centre, so that each case is a handful of points.
 
 use super::Element;
 use super::curve::sweep;

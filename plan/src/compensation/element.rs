@@ -12,8 +12,9 @@ pub enum Element {
         /// Where it ends.
         to: [f64; 2],
     },
-    /// An arc; equal ends mean a full circle. An end off the circle through the start, as programs rounded to
-    /// a few decimals have it, is seen from the centre in its own direction and at its own distance.
+    /// An arc; equal ends mean a full circle. An end off the circle through the start, as programs
+    /// rounded to a few decimals have it, is seen from the centre in its own direction and at its
+    /// own distance.
     Arc {
         /// Where it starts.
         from: [f64; 2],
@@ -84,8 +85,8 @@ pub struct Cut {
     pub element: Element,
     /// What it is for.
     pub role: Role,
-    /// The block it belongs to: 0 the approach, then the contour's, counted from 1, then the leave. What goes
-    /// round a corner belongs to the block before it.
+    /// The block it belongs to: 0 the approach, then the contour's, counted from 1, then the leave.
+    /// What goes round a corner belongs to the block before it.
     pub block: usize,
 }
 

@@ -8,7 +8,8 @@ use super::{Overcut, OvercutKind};
 #[derive(Debug)]
 pub(super) struct Faults {
     pub(super) overcuts: Vec<Overcut>,
-    /// For each block of the section: whether the path along it is not what it would be without the overcut.
+    /// For each block of the section: whether the path along it is not what it would be without the
+    /// overcut.
     pub(super) is_spoilt: Vec<bool>,
 }
 

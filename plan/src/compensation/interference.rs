@@ -96,8 +96,8 @@ fn depth(overcut: &Overcut) -> f64 {
     }
 }
 
-/// How exactly the distance of two curves is known: an arc whose end is off its circle is known to no more than
-/// that, and coordinates are rounded.
+/// How exactly the distance of two curves is known: an arc whose end is off its circle is known to
+/// no more than that, and coordinates are rounded.
 fn tolerance(cut: &Element, contour: &Element) -> f64 {
     let slack = |element: &Element| match *element {
         Element::Line { .. } => 0.0,

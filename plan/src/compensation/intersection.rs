@@ -1,15 +1,16 @@
 //! Where the offsets of two curves meet at an inside corner.
 //!
-//! Put the corner at the origin. A curve through it with the unit vector n towards the tool and the curvature
-//! κ (positive towards the tool, 0 for a line) has the offset
+//! Put the corner at the origin. A curve through it with the unit vector n towards the tool and the
+//! curvature κ (positive towards the tool, 0 for a line) has the offset
 //!
 //! n·x − κ x²/2 = r − κ r²/2,  or  n·x = r + κ w  with  w = (x² − r²)/2.
 //!
-//! Two such equations are linear in x, given w: x = x₀ + w x₁. Here x₀ is where the tangents' offsets meet, and
-//! x² = r² + 2w leaves a quadratic equation, A w² − 2 B w + C = 0. The root C/(B + √(B² − A C)) is the one that
-//! comes out of the corner as the radius grows from nothing; the other comes from the other point
-//! that the two programmed curves have in common, where they cross the other way. In A C, B and w x₁
-//! the sine of the turn, by which x₁ divides, cancels, so that nearly tangent curves do no harm.
+//! Two such equations are linear in x, given w: x = x₀ + w x₁. Here x₀ is where the tangents'
+//! offsets meet, and x² = r² + 2w leaves a quadratic equation, A w² − 2 B w + C = 0. The root
+//! C/(B + √(B² − A C)) is the one that comes out of the corner as the radius grows from nothing; the
+//! other comes from the other point that the two programmed curves have in common, where they cross
+//! the other way. In A C, B and w x₁ the sine of the turn, by which x₁ divides, cancels, so that
+//! nearly tangent curves do no harm.
 
 use super::corner::openness;
 use super::curve::End;
@@ -28,15 +29,16 @@ pub(super) struct Meeting {
     pub(super) after: f64,
 }
 
-/// Where the offsets meet at a corner that is neither tangent nor turns back; none if the tool is too large.
+/// Where the offsets meet at a corner that is neither tangent nor turns back; none if the tool is
+/// too large.
 pub(super) fn meeting(before: &End, after: &End, radius: f64) -> Option<Meeting> {
     let (k1, k2) = (before.curvature, after.curvature);
     let (n1, n2) = (before.normal, after.normal);
     let open = openness(before, after);
     let b = 1.0 - radius * (k1 + k2) / open;
     let discriminant = 1.0 - 2.0 / open * radius * (k1 + k2 - radius * k1 * k2);
-    // As long as the tool is smaller than both arcs, the discriminant falls as the radius grows, and b is positive
-    // up to where it vanishes.
+    // As long as the tool is smaller than both arcs, the discriminant falls as the radius grows,
+    // and b is positive up to where it vanishes.
     if !(b > 0.0 && discriminant >= -ROUNDING) {
         return None;
     }
@@ -63,4 +65,38 @@ fn way(end: &End, x: Vector, sense: f64) -> f64 {
     };
     // The meeting stays on its side of the line through the centres: less than half a turn ahead.
     way.max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compensation::vector::{distance, left};
+
+    fn end(tangent: Vector, curvature: f64) -> End {
+        End { point: [0.0, 0.0], tangent, normal: left(tangent), curvature }
+    }
+
+    #[test]
+    fn a_line_into_a_circle() {
+        // Along y = 0, then on the circle about (-3, 4) of radius 5, its tangent at the origin
+        // (0.8, 0.6). The offsets for r = 2, y = 2 and the circle of radius 3, meet in (-3 + √5,
+        // 2).
+        let meeting = meeting(&end([1.0, 0.0], 0.0), &end([0.8, 0.6], 0.2), 2.0).unwrap();
+        let x = f64::sqrt(5.0) - 3.0;
+        assert!(distance(meeting.point, [x, 2.0]) < 1e-12);
+        assert!((meeting.before + x).abs() < 1e-12);
+        // From the angle of (3, -4), seen from the centre, to that of (√5, -2).
+        let turn = f64::atan2(-2.0, f64::sqrt(5.0)) - f64::atan2(-4.0, 3.0);
+        assert!((meeting.after - 5.0 * turn).abs() < 1e-12);
+    }
+
+    #[test]
+    fn lines_that_nearly_turn_back_lose_no_digits() {
+        let slight = 1e-6_f64;
+        let back = [-slight.cos(), slight.sin()];
+        let meeting = meeting(&end([1.0, 0.0], 0.0), &end(back, 0.0), 3.0).unwrap();
+        let expected = 3.0 / (slight / 2.0).tan();
+        assert!((meeting.before / expected - 1.0).abs() < 1e-9);
+        assert!((meeting.after / expected - 1.0).abs() < 1e-9);
+    }
 }

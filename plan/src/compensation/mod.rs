@@ -5,10 +5,11 @@
 //! along the contour it runs, and on the leave it is cancelled. [`c_type`] looks ahead to the next
 //! block and makes corners sharp; [`b_type`] goes block by block and round the corners on arcs.
 //!
-//! Both foresee overcuts (过切预报). What a look at two neighbours shows is an arc smaller than the tool, offsets
-//! that do not meet, or a block so short that its offset would run backward. Besides, the whole path is
-//! held against the whole contour, so that a neck narrower than the tool is found, too. Lengths that
-//! differ by 10⁻⁹ mm are equal; coming nearer than the radius by 10⁻⁸ mm is no overcut.
+//! Both foresee overcuts (过切预报). What a look at two neighbours shows is an arc smaller than the
+//! tool, offsets that do not meet, or a block so short that its offset would run backward. Besides,
+//! the whole path is held against the whole contour, so that a neck narrower than the tool is
+//! found, too. Lengths that differ by 10⁻⁹ mm are equal; coming nearer than the radius by 10⁻⁸ mm
+//! is no overcut, nor by as much as an arc's end is off its circle or as coordinates are rounded.
 //!
 //! ```
 //! use onepulse_plan::compensation::{Block, Corners, Element, Section, Side, c_type};

@@ -9,8 +9,8 @@ use super::{Corners, Cut, Element, Role, Side};
 use onepulse_core::Direction;
 use std::f64::consts::TAU;
 
-/// The path through the course. `meetings` says for each corner where the offsets of the contour meet, if it
-/// is an inside one.
+/// The path through the course. `meetings` says for each corner where the offsets of the contour
+/// meet, if it is an inside one.
 pub(super) fn path(course: &Course, meetings: &[Option<Meeting>], corners: Corners) -> Vec<Cut> {
     let [approach, leave] = [0, course.curves.len() - 1].map(|place| &course.curves[place]);
     let mut path = Path { at: approach.start.point, cuts: vec![] };

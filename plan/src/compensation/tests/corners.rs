@@ -1,5 +1,5 @@
-//! Every form of transition between lines and arcs of both senses, on both sides, in the run, when establishing
-//! and when cancelling.
+//! Every form of transition between lines and arcs of both senses, on both sides, in the run, when
+//! establishing and when cancelling.
 
 use super::{Point, arc, assert_path, distance, line, section};
 use crate::compensation::{Corners, Element, OvercutKind, Role, Side, b_type, c_type};
@@ -11,7 +11,7 @@ const ARC: f64 = 30.0;
 /// Short enough that no two of the arcs meet again.
 const LENGTH: f64 = 25.0;
 /// Turns towards the tool, in degrees: shortened, extended twice, with a link inserted twice.
-const TURNS: [f64; 5] = [60.0, -45.0, -85.0, -95.0, -120.0];
+const TURNS: [f64; 5] = [60.0, -45.0, -89.9, -90.1, -120.0];
 /// A line, an arc to the left, an arc to the right.
 const BENDS: [f64; 3] = [0.0, 1.0, -1.0];
 const CORNER: Point = [7.0, -3.0];
@@ -96,8 +96,8 @@ fn pairs(turn: f64) -> Vec<(Way, Way, Side)> {
     pairs
 }
 
-/// The points at which the path turns at an outside corner, from the definitions: where the tangents at the tips
-/// meet, or the tips carried on by the radius.
+/// The points at which the path turns at an outside corner, from the definitions: where the
+/// tangents at the tips meet, or the tips carried on by the radius.
 fn turns(before: Way, after: Way, turn: f64) -> Vec<Point> {
     let on = |way: Way, by: f64| {
         let ([x, y], tip) = (way.tangent(), way.at(0.0, RADIUS));
@@ -110,7 +110,8 @@ fn turns(before: Way, after: Way, turn: f64) -> Vec<Point> {
     }
 }
 
-/// Where the tool, on its way along the first way's offset, comes to touch the second: by stepping and halving.
+/// Where the tool, on its way along the first way's offset, comes to touch the second: by stepping
+/// and halving.
 fn touch(before: Way, after: Way) -> Point {
     let is_free = |way: f64| after.away(before.at(way, RADIUS)) >= RADIUS;
     // From the corner backward, where the tool is too near, to the first place where it is not.
@@ -369,7 +370,8 @@ fn round_the_tip_of_a_line_that_doubles_back() {
 
 #[test]
 fn arcs_that_turn_back_bend_apart_or_together() {
-    // Up to (0, 0) and back down, on the right of the way up an arc that bends to the left, and the other way round.
+    // Up to (0, 0) and back down, on the right of the way up an arc that bends to the left, and the
+    // other way round.
     let [left, right] = [[-20.0, 0.0], [20.0, 0.0]].map(|centre| {
         let end = [centre[0], -20.0];
         let is_left = centre[0] < 0.0;

@@ -21,8 +21,8 @@ fn assert_passes(section: &Section, side: Side, radius: f64) {
     }
 }
 
-/// A way along the x axis with a smooth hollow in it, between two arcs of 8 mm: down at x = 20 and up again. The tool
-/// is above, on the left.
+/// A way along the x axis with a smooth hollow in it, between two arcs of 8 mm: down at x = 20 and
+/// up again. The tool is above, on the left.
 fn hollow(bottom: f64) -> Section {
     let right = 20.0 + 2.0 * bottom;
     section(&[
@@ -122,8 +122,8 @@ fn a_meeting_beyond_the_block() {
 
 #[test]
 fn offsets_that_do_not_meet() {
-    // Two arcs of 10 mm, like the tip of a leaf 4 mm wide: a tool inside with a radius over 2 mm fits nowhere, one
-    // just smaller does.
+    // Two arcs of 10 mm, like the tip of a leaf 4 mm wide: a tool inside with a radius over 2 mm
+    // fits nowhere, one just smaller does.
     let leaf = |half: f64| {
         let reach = f64::sqrt(100.0 - (10.0 - half).powi(2));
         let [low, high] = [10.0 - half, half - 10.0];
@@ -142,8 +142,8 @@ fn offsets_that_do_not_meet() {
     assert_eq!((overcuts[0].line, overcuts[0].other_line), (20, Some(30)));
 }
 
-/// Round a bottle: the neck, this wide, between two bellies. The tool inside, on the left; the outline is open
-/// at the bottom.
+/// Round a bottle: the neck, this wide, between two bellies. The tool inside, on the left; the
+/// outline is open at the bottom.
 fn bottle(neck: f64) -> Section {
     let [left, right] = [-neck / 2.0, neck / 2.0];
     lines(&[
@@ -180,8 +180,8 @@ fn a_neck_narrower_than_the_tool() {
         assert!(lines.iter().any(|line| [40, 50].contains(line)), "{overcut}");
         assert!(lines.iter().any(|line| [90, 100].contains(line)), "{overcut}");
     }
-    // The slopes rise by φ. Round each edge a link is inserted, r (sin φ + cos φ) away from it, and the other
-    // edge must still be the radius away from that.
+    // The slopes rise by φ. Round each edge a link is inserted, r (sin φ + cos φ) away from it, and
+    // the other edge must still be the radius away from that.
     let spare = |neck: f64| {
         let slope = f64::atan2(10.0, 40.0 - neck / 2.0);
         neck - radius * (slope.sin() + slope.cos()) - radius
@@ -285,7 +285,8 @@ fn a_corner_counts_if_one_of_its_blocks_does() {
 
 #[test]
 fn each_pair_of_lines_is_reported_once_and_twenty_at_most() {
-    // Along a saw with its teeth up, and back along a wall above, so near that the tool cuts into every tooth.
+    // Along a saw with its teeth up, and back along a wall above, so near that the tool cuts into
+    // every tooth.
     let saw = |teeth: u32| {
         let mut points: Vec<Point> = vec![[-40.0, 0.0], [-30.0, 0.0]];
         for tooth in 0..teeth {

@@ -1,4 +1,5 @@
-//! Whole sections. What is expected is computed from the definitions, by hand or by other means than the code's.
+//! Whole sections. What is expected is computed from the definitions, by hand or by other means
+//! than the code's.
 
 mod corners;
 mod gouging;

@@ -96,8 +96,9 @@ fn away(element: &Element, point: Point) -> f64 {
     if is_beside { ends.min(off(element, point)) } else { ends }
 }
 
-/// Whether the tool along the first of two blocks is free of the second up to one place and not from there on, on
-/// the way back along the second is free of the first up to one place, and both places are one.
+/// Whether the tool along the first of two blocks is free of the second up to one place and not
+/// from there on, on the way back along the second is free of the first up to one place, and both
+/// places are one.
 fn is_clear_but_for_the_corner(first: &Element, second: &Element, side: Side, radius: f64) -> bool {
     let back = match *second {
         Element::Line { from, to } => line(to, from),
@@ -199,8 +200,9 @@ proptest! {
         }
     }
 
-    /// Of two blocks with an inside corner, against samples: at the turn of the path the tool touches both, and
-    /// before and after it comes no nearer to either. A wrong one of two intersections fails this.
+    /// Of two blocks with an inside corner, against samples: at the turn of the path the tool
+    /// touches both, and before and after it comes no nearer to either. A wrong one of two
+    /// intersections fails this.
     #[test]
     fn an_inside_corner_is_cleared_and_touched(
         first in step(),
@@ -246,8 +248,8 @@ proptest! {
         }
     }
 
-    /// Smooth blocks, written with three decimals: their corners are inside or outside by chance, and an arc's end is
-    /// off its circle.
+    /// Smooth blocks, written with three decimals: their corners are inside or outside by chance,
+    /// and an arc's end is off its circle.
     #[test]
     fn rounded_programs_pass(
         lengths in [5.0..40.0, 5.0..40.0, 5.0..40.0],
