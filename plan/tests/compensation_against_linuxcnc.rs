@@ -245,15 +245,32 @@ fn check_straight(case: &Case, straight: &[Cut], arcs: &[Cut]) -> Result<u32, Te
     Ok(ends_compared)
 }
 
+fn is_slit(overcut: &Overcut) -> bool {
+    overcut.kind == OvercutKind::Slit
+}
+
+/// Whether the move is an arc of the tool's radius about a corner.
+fn goes_round(to: &Move, corner: [f64; 2], radius: f64) -> bool {
+    to.arc.is_some_and(|(centre, _)| {
+        let [x, y] = [0, 1].map(|axis| to.to[axis] - centre[axis]);
+        are_close(centre, corner) && (x.hypot(y) - radius).abs() < 4.0 * PRINTED
+    })
+}
+
 #[test]
 fn random_programs_run_as_linuxcnc_runs_them() {
     let counts = Counts::default();
     let count = |what, many| counts.add(what, many);
-    run(400, &cases(), |case| {
+    run(300, &cases(), |case| {
         let theirs = compensated(&program(&case));
         let ours = c_type(&case.section, case.side, case.radius, Corners::Arcs);
         let moves = match theirs {
             Ok(moves) => moves,
+            // An arc back along the one before is nothing to the interpreter.
+            Err(reason) if reason.contains("the arcs have the same center") => {
+                count("back along an arc", 1);
+                return Ok(());
+            }
             Err(reason) => {
                 let refusal = REFUSALS.iter().find(|refusal| reason.contains(*refusal));
                 prop_assert!(refusal.is_some(), "{reason}");
@@ -279,6 +296,14 @@ fn random_programs_run_as_linuxcnc_runs_them() {
                     count("ends at no arc", check_straight(&case, &straight, &cuts)?);
                     count("straight as well", 1);
                 }
+            }
+            // Where a cusp of arcs encloses the tool, the interpreter shortens both and leaves its tip.
+            Err(overcuts) if overcuts.iter().any(is_slit) => {
+                for slit in overcuts.iter().filter(|overcut| is_slit(overcut)) {
+                    let is_round = |to| goes_round(to, slit.at, case.radius);
+                    prop_assert!(!moves.iter().any(is_round), "{slit:?}");
+                }
+                count("slit", 1);
             }
             // The interpreter looks no further than the next block, and does not see a block reversed by its
             // first corner where the second is tangent or an outside one: the library does.

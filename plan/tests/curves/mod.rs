@@ -2,8 +2,8 @@
 
 use cavalier_contours::core::math::{Vector2, angle_from_bulge};
 use cavalier_contours::polyline::{
-    PlineSource, PlineSourceMut, PlineVertex, Polyline, seg_arc_radius_and_center,
-    seg_closest_point,
+    PlineSegIntr, PlineSource, PlineSourceMut, PlineVertex, Polyline, pline_seg_intr,
+    seg_arc_radius_and_center, seg_closest_point,
 };
 use onepulse_core::Direction;
 use onepulse_plan::compensation::Element;
@@ -82,6 +82,11 @@ pub(crate) fn points(start: PlineVertex, end: PlineVertex, contour: &Polyline) -
         let across = arc.map(|(_, centre)| seg_closest_point(from, to, centre, SAME));
         let towards = [Some(from.pos()), centre, across].into_iter().flatten();
         points.extend(towards.filter(has_nearest).map(nearest));
+        match pline_seg_intr(start, end, from, to, SAME) {
+            PlineSegIntr::OneIntersect { point } => points.push(point),
+            PlineSegIntr::TwoIntersects { point1, point2 } => points.extend([point1, point2]),
+            _ => {}
+        }
     }
     points
 }
