@@ -27,6 +27,8 @@ pub(crate) fn contours() -> impl Strategy<Value = Polyline> {
     let simple = written.prop_filter("the contour meets itself", |contour| {
         contour.vertex_count() >= 2
             && contour.iter_segments().all(|(start, end)| (end.pos() - start.pos()).length() > 1e-3)
+            // The library is not exact along arcs that are nearly lines.
+            && contour.iter_vertexes().all(|v| v.bulge == 0.0 || v.bulge.abs() > 1e-3)
             && !contour.scan_for_self_intersect()
     });
     (simple, any::<bool>(), any::<prop::sample::Index>()).prop_map(
