@@ -145,7 +145,6 @@ fn kind(overcut: &Overcut) -> &'static str {
         OvercutKind::SmallArc { .. } => "small arc",
         OvercutKind::ShortBlock { .. } => "short block",
         OvercutKind::NoMeeting { .. } => "no meeting",
-        OvercutKind::Slit => "slit",
         OvercutKind::Interference { .. } => "interference",
         _ => "of another kind",
     }

@@ -10,9 +10,7 @@ pub(super) fn diagnostic(overcut: &Overcut, places: &[&Place]) -> Diagnostic {
     let help = match overcut.kind {
         OvercutKind::SmallArc { .. } => "take a smaller cutter, or a larger arc",
         OvercutKind::ShortBlock { .. } => "take a smaller cutter, or leave the short block out",
-        OvercutKind::NoMeeting { .. } | OvercutKind::Slit => {
-            "take a smaller cutter, or open the corner"
-        }
+        OvercutKind::NoMeeting { .. } => "take a smaller cutter, or open the corner",
         OvercutKind::InsideCorner { .. } => {
             "put an arc of at least the cutter's radius between the blocks, or compensate by the C type"
         }

@@ -22,7 +22,7 @@ pub fn b_type(section: &Section, side: Side, radius: f64) -> Result<Vec<Cut>, Ve
     let mut faults = course.small_arcs();
     if !course.contour().is_empty() {
         for (place, corner) in course.corners.iter().enumerate() {
-            if matches!(corner, Corner::Shorten | Corner::Slit) {
+            if *corner == Corner::Shorten {
                 let pair = &course.curves[place..place + 2];
                 faults.corner(OvercutKind::InsideCorner { radius }, pair);
             }

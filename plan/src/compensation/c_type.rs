@@ -61,10 +61,6 @@ fn meetings(course: &Course, faults: &mut Faults) -> Vec<Option<Meeting>> {
                 }
                 meeting
             }
-            Corner::Slit => {
-                faults.corner(OvercutKind::Slit, pair);
-                None
-            }
             _ => None,
         }
     });

@@ -9,14 +9,12 @@ use super::vector::{Vector, ahead, cross, dot, length, sum};
 pub(super) enum Corner {
     /// The tips of both radius vectors are one point.
     Tangent,
-    /// 180° ≤ α < 360°, an inside corner (缩短型).
+    /// 180° ≤ α ≤ 360°, an inside corner (缩短型).
     Shorten,
     /// 90° ≤ α < 180° (伸长型).
     Extend,
     /// 0° ≤ α < 90° (插入型).
     Insert,
-    /// α = 360°: the second curve runs back along the first, on the tool's side of it.
-    Slit,
 }
 
 /// A cosine below which an angle is more than a right one. At the right angle extending and inserting make
@@ -35,14 +33,12 @@ impl Corner {
         if radius * length(ahead(before.normal, -1.0, after.normal)) <= TOUCH {
             return Self::Tangent;
         }
-        let is_opposed = inward.abs() <= STRAIGHT_ANGLE
-            || radius * length(sum(before.normal, after.normal)) <= TOUCH;
-        if onward < 0.0 && is_opposed {
+        if turns_back(before, after, radius) {
             // Backward along the first curve and forward along the second both bend away from the
-            // other's tool, or towards it.
+            // other's tool, or towards it: then α is 360°, and the tool fits in where they are apart.
             let bend = before.curvature + after.curvature;
             let least = 1e-9 * (before.curvature.abs() + after.curvature.abs());
-            return if bend < -least { Self::Slit } else { Self::Insert };
+            return if bend < -least { Self::Shorten } else { Self::Insert };
         }
         if inward > 0.0 {
             Self::Shorten
@@ -69,9 +65,17 @@ impl Corner {
             Self::Insert => {
                 vec![before.lengthened(radius, radius), after.lengthened(radius, -radius)]
             }
-            Self::Tangent | Self::Shorten | Self::Slit => vec![],
+            Self::Tangent | Self::Shorten => vec![],
         }
     }
+}
+
+/// Whether the tangents of two curves are opposed, but for rounding.
+pub(super) fn turns_back(before: &End, after: &End, radius: f64) -> bool {
+    let inward = dot(before.normal, after.tangent);
+    dot(before.tangent, after.tangent) < 0.0
+        && (inward.abs() <= STRAIGHT_ANGLE
+            || radius * length(sum(before.normal, after.normal)) <= TOUCH)
 }
 
 /// 1 + the cosine of the turn, to full precision even where the curves nearly turn back.

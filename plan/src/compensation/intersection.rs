@@ -12,7 +12,7 @@
 //! the other way. In A C, B and w x₁ the sine of the turn, by which x₁ divides, cancels, so that
 //! nearly tangent curves do no harm.
 
-use super::corner::openness;
+use super::corner::{openness, turns_back};
 use super::curve::End;
 use super::vector::{Vector, ahead, cross, dot, length, scaled, sum};
 
@@ -34,6 +34,9 @@ pub(super) struct Meeting {
 pub(super) fn meeting(before: &End, after: &End, radius: f64) -> Option<Meeting> {
     let (k1, k2) = (before.curvature, after.curvature);
     let (n1, n2) = (before.normal, after.normal);
+    if turns_back(before, after, radius) {
+        return cusp(before, after, radius).map(|x| Meeting::at(x, before, after, radius));
+    }
     let open = openness(before, after);
     let b = 1.0 - radius * (k1 + k2) / open;
     let discriminant = 1.0 - 2.0 / open * radius * (k1 + k2 - radius * k1 * k2);
@@ -46,12 +49,30 @@ pub(super) fn meeting(before: &End, after: &End, radius: f64) -> Option<Meeting>
     // x₁ times the sine of the turn, and w divided by it.
     let x1 = [k1 * n2[1] - k2 * n1[1], k2 * n1[0] - k1 * n2[0]];
     let w = (radius / open).powi(2) * cross(n1, n2) / (b + discriminant.max(0.0).sqrt());
-    let x = settled(ahead(x0, w, x1), before, after, radius);
-    Some(Meeting {
-        point: sum(before.point, x),
-        before: way(before, x, -1.0),
-        after: way(after, x, 1.0),
-    })
+    Some(Meeting::at(ahead(x0, w, x1), before, after, radius))
+}
+
+/// Where the offsets of curves that turn back meet, away from their common tangent: with n₂ = −n₁ the sum of
+/// the two equations is 0 = 2r + (κ₁ + κ₂) w.
+fn cusp(before: &End, after: &End, radius: f64) -> Option<Vector> {
+    let w = -2.0 * radius / (before.curvature + after.curvature);
+    let across = radius + before.curvature * w;
+    let along = radius * radius + 2.0 * w - across * across;
+    let backward = scaled(-along.max(0.0).sqrt(), before.tangent);
+    (w > 0.0 && along >= 0.0).then(|| ahead(backward, across, before.normal))
+}
+
+impl Meeting {
+    /// At x or next to it, seen from the corner.
+    fn at(x: Vector, before: &End, after: &End, radius: f64) -> Self {
+        let once = settled(x, before, after, radius);
+        let x = settled(once, before, after, radius);
+        Self {
+            point: sum(before.point, x),
+            before: way(before, x, -1.0),
+            after: way(after, x, 1.0),
+        }
+    }
 }
 
 /// The meeting once more, by a step of Newton's method: far from a corner that nearly turns back, x₀ and w x₁

@@ -62,8 +62,6 @@ pub enum OvercutKind {
         /// The tool's radius.
         radius: f64,
     },
-    /// Two blocks turn back on themselves with the tool between them (α = 360°).
-    Slit,
     /// An inside corner, which the B type does not know; the program needs an arc between the two blocks.
     InsideCorner {
         /// The tool's radius, the least one of that arc.
@@ -124,7 +122,6 @@ impl fmt::Display for OvercutKind {
                 "the tool, with a radius of {radius:.6} mm, does not fit into the corner: its paths \
                  do not meet there"
             ),
-            Self::Slit => f.write_str("the tool does not fit between blocks that turn back"),
             Self::InsideCorner { radius } => write!(
                 f,
                 "an inside corner needs an arc of at least {radius:.6} mm between the two blocks \

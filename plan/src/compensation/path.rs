@@ -18,7 +18,7 @@ pub(super) fn path(course: &Course, meetings: &[Option<Meeting>], corners: Corne
         path.line(approach.end.point, Role::Establish, approach.index);
     } else {
         let tip = match course.corners[0] {
-            Corner::Shorten | Corner::Slit => &course.curves[1].start,
+            Corner::Shorten => &course.curves[1].start,
             Corner::Tangent | Corner::Extend | Corner::Insert => &approach.end,
         };
         path.line(tip.tip(course.radius), Role::Establish, approach.index);

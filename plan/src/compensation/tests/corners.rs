@@ -377,7 +377,7 @@ fn arcs_that_turn_back_bend_apart_or_together() {
         let is_left = centre[0] < 0.0;
         (end, centre, is_left)
     });
-    for (side, ((first, c1, first_is_left), (second, c2, _)), is_slit) in [
+    for (side, ((first, c1, first_is_left), (second, c2, _)), is_cusp) in [
         // The tool on the right of the way up: between the curves if the second is on the right.
         (Side::Right, (left, right), true),
         (Side::Left, (left, right), false),
@@ -394,10 +394,17 @@ fn arcs_that_turn_back_bend_apart_or_together() {
             line(end, out(end)),
         ]);
         let path = c_type(&section, side, 2.0, Corners::Straight);
-        if is_slit {
-            let overcuts = path.unwrap_err();
-            assert_eq!(overcuts[0].kind, OvercutKind::Slit, "{overcuts:?}");
-            assert_eq!((overcuts[0].line, overcuts[0].other_line), (20, Some(30)));
+        if is_cusp {
+            // As far from both circles of 20 as their radius and the tool's.
+            let meeting = [0.0, -(22.0_f64.powi(2) - 20.0_f64.powi(2)).sqrt()];
+            let [begin, last] = [start, end].map(|end| [end[0], -22.0]);
+            let expected = [
+                (Establish, 0, begin),
+                (Offset, 1, meeting),
+                (Offset, 2, last),
+                (Cancel, 3, out(end)),
+            ];
+            assert_path(&path, out(start), &expected);
         } else {
             let [x, last] = [start, end].map(|end| [end[0], -18.0]);
             let sign = if first_is_left { 1.0 } else { -1.0 };
