@@ -256,6 +256,7 @@ pub(super) struct Summary {
 }
 
 /// A line of the summary.
+#[allow(clippy::large_enum_variant, reason = "nearly all are blocks")]
 #[derive(Debug)]
 enum Shown {
     Block(BlockReport),
