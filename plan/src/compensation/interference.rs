@@ -4,6 +4,7 @@ use super::course::Course;
 use super::curve::Curve;
 use super::distance::{Shape, gap};
 use super::faults::Faults;
+use super::lead::protected;
 use super::vector::{Vector, distance};
 use super::{Cut, Element, Overcut, OvercutKind, Role};
 use rstar::primitives::{GeomWithData, Rectangle};
@@ -13,6 +14,10 @@ use std::collections::HashMap;
 /// How much nearer than the radius is let pass, in millimetres.
 const TOLERANCE: f64 = 1e-8;
 
+/// The same on the way in and out: an arc programmed in three decimals is not quite tangent to the contour's
+/// other end, which is none of its neighbours.
+const TOLERANCE_OF_LEAD: f64 = 1e-4;
+
 /// How many pairs of lines are reported.
 const MOST: usize = 20;
 
@@ -21,7 +26,8 @@ type Boxed = GeomWithData<Rectangle<Vector>, usize>;
 
 /// The path, if it keeps the radius from all that is machined and there are no faults.
 ///
-/// Establishing and cancelling are not looked at, nor rapids, nor the path where an overcut found before
+/// Nothing is protected of what [leads in and out](super::lead). Establishing and cancelling are not looked
+/// at, nor rapids, nor the path where an overcut found before
 /// has spoilt it. A corner is looked at if one of its blocks is machined.
 pub(super) fn check(
     course: &Course,
@@ -34,7 +40,10 @@ pub(super) fn check(
 }
 
 fn interferences(course: &Course, cuts: &[Cut], is_spoilt: &[bool]) -> Vec<Overcut> {
-    let machined: Vec<(&Curve, Shape)> = course.curves[course.contour()]
+    let protected = &course.curves[protected(course)];
+    let index = |curve: Option<&Curve>| curve.map_or(0, |curve| curve.index);
+    let closed = index(protected.first())..=index(protected.last());
+    let machined: Vec<(&Curve, Shape)> = protected
         .iter()
         .filter(|curve| curve.block.is_machined)
         .map(|curve| (curve, Shape::of(&curve.block.element)))
@@ -61,13 +70,14 @@ fn interferences(course: &Course, cuts: &[Cut], is_spoilt: &[bool]) -> Vec<Overc
         if !is_machined || is_spoilt[cut.block] {
             continue;
         }
+        let spare = if closed.contains(&cut.block) { TOLERANCE } else { TOLERANCE_OF_LEAD };
         let shape = Shape::of(&cut.element);
         let [least, most] = shape.bounds();
         let near = Near { envelope: AABB::from_corners(least, most), reach: course.radius };
         for boxed in tree.locate_with_selection_function(near) {
             let (other, contour) = &machined[boxed.data];
             let (distance, at) = gap(&shape, contour);
-            if distance >= course.radius - tolerance(&cut.element, &other.block.element) {
+            if distance >= course.radius - spare - rounding(&cut.element, &other.block.element) {
                 continue;
             }
             let kind = OvercutKind::Interference { distance, radius: course.radius };
@@ -98,7 +108,7 @@ fn depth(overcut: &Overcut) -> f64 {
 
 /// How exactly the distance of two curves is known: an arc whose end is off its circle is known to
 /// no more than that, and coordinates are rounded.
-fn tolerance(cut: &Element, contour: &Element) -> f64 {
+fn rounding(cut: &Element, contour: &Element) -> f64 {
     let slack = |element: &Element| match *element {
         Element::Line { .. } => 0.0,
         Element::Arc { from, to, centre, .. } => {
@@ -114,7 +124,7 @@ fn tolerance(cut: &Element, contour: &Element) -> f64 {
         [from, to, centre].iter().flatten().fold(0.0, |most: f64, c| most.max(c.abs()))
     };
     let size = largest(cut).max(largest(contour));
-    TOLERANCE + slack(cut) + slack(contour) + 16.0 * f64::EPSILON * size
+    slack(cut) + slack(contour) + 16.0 * f64::EPSILON * size
 }
 
 /// Picks what comes nearer to a rectangle than the reach.

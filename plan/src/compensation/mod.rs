@@ -37,6 +37,7 @@ mod element;
 mod faults;
 mod interference;
 mod intersection;
+mod lead;
 mod overcut;
 mod path;
 #[cfg(test)]

@@ -11,6 +11,9 @@ use std::collections::BTreeMap;
 /// How exactly the path keeps its distances, in millimetres.
 const EXACTNESS: f64 = 1e-6;
 
+/// The same where arcs lead in and out, whose programmed ends are not quite tangent.
+const EXACTNESS_OF_LEADS: f64 = 2e-4;
+
 /// Follows the path of a program to its end. Panics where a promise is broken.
 pub(crate) fn check(text: &[u8], machine: &Machine, tools: &Tools, compensation: Compensation) {
     let lines = Lines::of(text);
@@ -150,12 +153,16 @@ impl Followed {
         }
         self.section = section;
         let (contour, path) = (std::mem::take(&mut self.contour), std::mem::take(&mut self.path));
+        let (contour, exactness) = match leads(&contour) {
+            [0, 0] => (&contour[..], EXACTNESS),
+            [before, after] => (&contour[before..contour.len() - after], EXACTNESS_OF_LEADS),
+        };
         for part in &path {
             for point in samples(part) {
-                for block in &contour {
+                for block in contour {
                     let away = away(block, point);
                     assert!(
-                        away >= self.radius - EXACTNESS,
+                        away >= self.radius - exactness,
                         "{away} from {block:?} in {part:?}, not {}",
                         self.radius
                     );
@@ -182,6 +189,27 @@ impl Followed {
             }
         }
     }
+}
+
+/// How many blocks may lead in to a closed part of a contour, and how many out: two at most, and the one
+/// at the closed part is an arc.
+fn leads(contour: &[Element]) -> [usize; 2] {
+    let mut most = [0; 2];
+    for before in 0..=2 {
+        for after in 0..=2 {
+            if before + after >= contour.len() {
+                continue;
+            }
+            let closed = &contour[before..contour.len() - after];
+            let is_arc = |block: &Element| matches!(block, Element::Arc { .. });
+            let is_led = (before == 0 || is_arc(&contour[before - 1]))
+                && (after == 0 || is_arc(&contour[contour.len() - after]));
+            if is_led && closed[0].ends()[0] == closed[closed.len() - 1].ends()[1] {
+                most = [most[0].max(before), most[1].max(after)];
+            }
+        }
+    }
+    if most[0] + most[1] < contour.len() { most } else { [0; 2] }
 }
 
 /// A step's curve in its plane.

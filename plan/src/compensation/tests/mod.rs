@@ -3,6 +3,7 @@
 
 mod corners;
 mod gouging;
+mod leading;
 mod properties;
 mod seed;
 
