@@ -1,33 +1,18 @@
 //! `onepulse run --two-level --accelerate`: speeds planned through the whole program, made by two levels.
 #![allow(clippy::unwrap_used)]
 
-use assert_cmd::cargo::cargo_bin_cmd;
+mod common;
+
+use common::{onepulse, report, said};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-use std::process::Output;
 use tempfile::TempDir;
 
 /// A folder with a program and a machine.
 fn folder(program: &str, machine: &str) -> TempDir {
-    let folder = TempDir::new().unwrap();
-    fs::write(folder.path().join("p.nc"), program).unwrap();
-    fs::write(folder.path().join("m.toml"), machine).unwrap();
-    folder
-}
-
-fn onepulse(folder: &Path, arguments: &str) -> Output {
-    let mut command = cargo_bin_cmd!("onepulse");
-    command.current_dir(folder).args(arguments.split_whitespace()).output().unwrap()
-}
-
-/// What a command that succeeds says on standard output.
-fn said(folder: &Path, arguments: &str) -> String {
-    let output = onepulse(folder, arguments);
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.success(), "{arguments}: {errors}");
-    String::from_utf8(output.stdout).unwrap()
+    common::folder(&[("p.nc", program), ("m.toml", machine)])
 }
 
 const ACCELERATE: &str = "run p.nc --out out --two-level --accelerate";
@@ -35,8 +20,7 @@ const ACCELERATE: &str = "run p.nc --out out --two-level --accelerate";
 /// The report of an accelerated run, in which all holds that holds of every one, and the summary.
 fn accelerated(folder: &Path, arguments: &str) -> (Value, String) {
     let summary = said(folder, &format!("{ACCELERATE} {arguments}"));
-    let text = fs::read_to_string(folder.join("out/report.json")).unwrap();
-    let report: Value = serde_json::from_str(&text).unwrap();
+    let report = report(folder);
     check(&report);
     (report, summary)
 }

@@ -1,49 +1,10 @@
 //! `onepulse offset`, and `onepulse run` on programs that are compensated.
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
-use assert_cmd::cargo::cargo_bin_cmd;
+mod common;
+
+use common::{failure, folder, onepulse, program, said};
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Output;
-use tempfile::TempDir;
-
-/// A file of the repository's programs.
-fn program(name: &str) -> String {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../programs").join(name);
-    path.to_str().unwrap().to_owned()
-}
-
-fn folder(files: &[(&str, &str)]) -> TempDir {
-    let folder = TempDir::new().unwrap();
-    for (name, text) in files {
-        fs::write(folder.path().join(name), text).unwrap();
-    }
-    folder
-}
-
-/// `onepulse` in a folder, with these arguments separated by blanks.
-fn onepulse(folder: &Path, arguments: &str) -> Output {
-    let mut command = cargo_bin_cmd!("onepulse");
-    command.current_dir(folder).args(arguments.split_whitespace()).output().unwrap()
-}
-
-/// What it writes to standard output.
-fn text(folder: &Path, arguments: &str) -> String {
-    let output = onepulse(folder, arguments);
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.success(), "{arguments}: {errors}");
-    assert_eq!(errors, "", "{arguments}");
-    String::from_utf8(output.stdout).unwrap()
-}
-
-/// Fails with an exit status; what it says.
-fn failure(folder: &Path, arguments: &str, status: i32) -> String {
-    let output = onepulse(folder, arguments);
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(status), "{arguments}: {errors}");
-    assert!(!errors.contains("panicked"), "{errors}");
-    errors
-}
 
 /// The lower left corner of a square of 20 mm, once round, with a cutter of 2 mm on the left: outside.
 const SQUARE: &str = "G00 X-10. Y-10.\nG41 D1 G01 X0. Y0. F300\nY20.\nX20.\nG02 X40. Y0. J-20.\nG01 X0.\nG40 X-10. Y-10.\nM02\n";
@@ -54,7 +15,7 @@ const TABLE: &str = "T1 P1 D4.0\nT2 P2 D6.0 ; another\n";
 #[test]
 fn rows_of_a_contour() {
     let folder = folder(&[("square.nc", SQUARE), ("tool.tbl", TABLE)]);
-    let text = text(folder.path(), "offset square.nc --tool-table tool.tbl");
+    let text = said(folder.path(), "offset square.nc --tool-table tool.tbl");
     let mut lines = text.lines();
     assert_eq!(lines.next(), Some("kind,x0,y0,x1,y1,cx,cy,line,role"));
     let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
@@ -84,16 +45,16 @@ fn rows_of_a_contour() {
 #[test]
 fn the_radius_may_be_given_for_all_tools() {
     let folder = folder(&[("square.nc", SQUARE), ("tool.tbl", TABLE)]);
-    let by_table = text(folder.path(), "offset square.nc --tool-table tool.tbl");
-    assert_eq!(text(folder.path(), "offset square.nc --radius 2"), by_table);
-    assert_ne!(text(folder.path(), "offset square.nc --radius 2.5"), by_table);
+    let by_table = said(folder.path(), "offset square.nc --tool-table tool.tbl");
+    assert_eq!(said(folder.path(), "offset square.nc --radius 2"), by_table);
+    assert_ne!(said(folder.path(), "offset square.nc --radius 2.5"), by_table);
 }
 
 #[test]
 fn outside_corners_by_type() {
     let folder = folder(&[("square.nc", SQUARE)]);
     let kinds = |options: &str| -> Vec<String> {
-        let text = text(folder.path(), &format!("offset square.nc --radius 2 {options}"));
+        let text = said(folder.path(), &format!("offset square.nc --radius 2 {options}"));
         let corners = text.lines().filter(|line| line.ends_with(",corner"));
         corners.map(|line| line.split(',').next().unwrap().to_owned()).collect()
     };
@@ -101,8 +62,8 @@ fn outside_corners_by_type() {
     assert_eq!(kinds("--type c --corners straight"), ["line"]);
     assert_eq!(kinds("--corners arcs"), ["cw", "cw"]);
     // The lines to and from the square turn inside.
-    let said = failure(folder.path(), "offset square.nc --radius 2 --type b", 1);
-    assert!(said.contains("inside corner"), "{said}");
+    let wrong = failure(folder.path(), "offset square.nc --radius 2 --type b", 1);
+    assert!(wrong.contains("inside corner"), "{wrong}");
     let outside = SQUARE.replace("G00 X-10.", "G00 X10.").replace("X-10. Y-10.", "X-10. Y10.");
     fs::write(folder.path().join("square.nc"), outside).unwrap();
     assert_eq!(kinds("--corners arcs"), ["cw"; 4]);
@@ -114,8 +75,8 @@ fn outside_corners_by_type() {
 fn columns_of_z_are_appended_if_it_moves() {
     let deep = SQUARE.replace("G41", "G01 Z-1.5 F300\nG41");
     let folder = folder(&[("flat.nc", SQUARE), ("deep.nc", &deep)]);
-    let flat = text(folder.path(), "offset flat.nc --radius 2");
-    let deep = text(folder.path(), "offset deep.nc --radius 2");
+    let flat = said(folder.path(), "offset flat.nc --radius 2");
+    let deep = said(folder.path(), "offset deep.nc --radius 2");
     assert_eq!(deep.lines().next(), Some("kind,x0,y0,x1,y1,cx,cy,line,role,z0,z1,cz"));
     assert_eq!(deep.lines().count(), flat.lines().count() + 1);
     let plunge: Vec<_> = deep.lines().nth(2).unwrap().split(',').collect();
@@ -131,10 +92,10 @@ fn the_path_as_a_program_makes_the_same_pulses() {
         let folder = folder(&[]);
         let pulse = if options.contains("pulse") { options } else { "" };
         let ngc = format!("offset {program} --tool-table {table} --format ngc {options}");
-        fs::write(folder.path().join("path.nc"), text(folder.path(), &ngc)).unwrap();
+        fs::write(folder.path().join("path.nc"), said(folder.path(), &ngc)).unwrap();
         let run = format!("run {program} --tool-table {table} --no-waves --out one {options}");
-        text(folder.path(), &run);
-        text(folder.path(), &format!("run path.nc --no-waves --out other {pulse}"));
+        said(folder.path(), &run);
+        said(folder.path(), &format!("run path.nc --no-waves --out other {pulse}"));
         let pulses = |out: &str| -> Vec<String> {
             let text = fs::read_to_string(folder.path().join(out).join("pulses.csv")).unwrap();
             text.lines().map(|line| line.split_once(',').unwrap().1.to_owned()).collect()
@@ -152,7 +113,7 @@ fn a_compensated_program_runs() {
     for (method, out) in [("ppc", "one"), ("dda", "two"), ("min-deviation", "three")] {
         let run =
             format!("run {program} --tool-table {table} --method {method} --no-waves --out {out}");
-        text(folder.path(), &run);
+        said(folder.path(), &run);
         let report = fs::read_to_string(folder.path().join(out).join("report.json")).unwrap();
         let report: serde_json::Value = serde_json::from_str(&report).unwrap();
         assert_eq!(report["hardware_agrees"], true);
@@ -169,13 +130,13 @@ fn a_compensated_program_runs() {
         assert!(picture.contains("class=\"o\" stroke-width=\"600.000\""));
     }
     let profile = format!("profile {program} --tool-table {table}");
-    assert!(text(folder.path(), &profile).lines().count() > 1000);
+    assert!(said(folder.path(), &profile).lines().count() > 1000);
 }
 
 #[test]
 fn the_picture_of_a_path_shows_all_of_it() {
     let folder = folder(&[("square.nc", SQUARE)]);
-    let svg = text(folder.path(), "offset square.nc --radius 2 --format svg");
+    let svg = said(folder.path(), "offset square.nc --radius 2 --format svg");
     for class in ["o", "i", "p", "r", "e", "s", "c"] {
         assert!(svg.contains(&format!("class=\"{class}\"")), "{class}");
     }
@@ -191,21 +152,21 @@ fn overcuts_are_refused_with_their_lines_and_a_picture() {
     let output = onepulse(folder.path(), "offset gouge.nc --radius 5");
     assert_eq!(output.status.code(), Some(1));
     assert_eq!(output.stdout, b"", "nothing is written of it");
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert!(said.contains("gouge.nc:5:1") && said.contains("larger than the arc"), "{said}");
-    assert!(said.contains("G03 X-34. Y26. J-4."), "{said}");
-    assert!(said.contains("onepulse offset --format svg gouge.nc"), "{said}");
+    let wrong = String::from_utf8(output.stderr).unwrap();
+    assert!(wrong.contains("gouge.nc:5:1") && wrong.contains("larger than the arc"), "{wrong}");
+    assert!(wrong.contains("G03 X-34. Y26. J-4."), "{wrong}");
+    assert!(wrong.contains("onepulse offset --format svg gouge.nc"), "{wrong}");
     let output = onepulse(folder.path(), "offset gouge.nc --radius 5 --format svg");
     assert_eq!(output.status.code(), Some(1));
     let picture = String::from_utf8(output.stdout).unwrap();
     assert!(picture.contains("<circle") && picture.contains(">line 5</text>"), "{picture}");
     assert!(picture.ends_with("</svg>\n"));
     // The same from a run, of which nothing is left.
-    let said = failure(folder.path(), "run gouge.nc --radius 5 --out out", 1);
-    assert!(said.contains("gouge.nc:5:1"), "{said}");
+    let wrong = failure(folder.path(), "run gouge.nc --radius 5 --out out", 1);
+    assert!(wrong.contains("gouge.nc:5:1"), "{wrong}");
     assert!(!folder.path().join("out").exists());
     // A smaller cutter serves.
-    text(folder.path(), "offset gouge.nc --radius 4");
+    said(folder.path(), "offset gouge.nc --radius 4");
 }
 
 /// Both lines at fault are shown.
@@ -214,33 +175,33 @@ fn a_neck_shows_both_its_sides() {
     let neck = "G00 X-5. Y-10.\nG41 G01 Y0. F300\nY10.\nX5.\nY1.\nX30.\nY0.\nX5.\nY-9.\nX-5.\nY0.\nG40 X-20.\n";
     let slot = neck.replace("\nY1.\nX30.\nY0.\n", "\nY4.\nX-4.\nY-4.\n");
     let folder = folder(&[("slot.nc", &slot)]);
-    let said = failure(folder.path(), "offset slot.nc --radius 4.5", 1);
-    assert!(said.contains("slot.nc:"), "{said}");
-    assert!(said.contains("cutter"), "{said}");
-    text(folder.path(), "offset slot.nc --radius 3");
+    let wrong = failure(folder.path(), "offset slot.nc --radius 4.5", 1);
+    assert!(wrong.contains("slot.nc:"), "{wrong}");
+    assert!(wrong.contains("cutter"), "{wrong}");
+    said(folder.path(), "offset slot.nc --radius 3");
 }
 
 #[test]
 fn all_errors_are_shown_in_one_pass() {
     let folder = folder(&[("wrong.nc", "G00 X5 Q1\nG54\nG01 X\n")]);
-    let said = failure(folder.path(), "offset wrong.nc", 1);
+    let wrong = failure(folder.path(), "offset wrong.nc", 1);
     for place in ["wrong.nc:1:8", "wrong.nc:2:1", "wrong.nc:3:5"] {
-        assert!(said.contains(place), "{place}: {said}");
+        assert!(wrong.contains(place), "{place}: {wrong}");
     }
 }
 
 #[test]
 fn a_wrong_tool_table_is_shown_too() {
     let folder = folder(&[("square.nc", SQUARE), ("tool.tbl", "T1 P1 D4.0\nT1 P2 D-1 K\n")]);
-    let said = failure(folder.path(), "offset square.nc --tool-table tool.tbl", 1);
+    let wrong = failure(folder.path(), "offset square.nc --tool-table tool.tbl", 1);
     for place in ["tool.tbl:2:1", "tool.tbl:2:7", "tool.tbl:2:11"] {
-        assert!(said.contains(place), "{place}: {said}");
+        assert!(wrong.contains(place), "{place}: {wrong}");
     }
-    let said = failure(folder.path(), "run square.nc --tool-table nowhere.tbl --out out", 1);
-    assert!(said.contains("nowhere.tbl"), "{said}");
+    let wrong = failure(folder.path(), "run square.nc --tool-table nowhere.tbl --out out", 1);
+    assert!(wrong.contains("nowhere.tbl"), "{wrong}");
     assert!(!folder.path().join("out").exists());
-    let said = failure(folder.path(), "offset square.nc", 1);
-    assert!(said.contains("square.nc:2:5") && said.contains("--tool-table"), "{said}");
+    let wrong = failure(folder.path(), "offset square.nc", 1);
+    assert!(wrong.contains("square.nc:2:5") && wrong.contains("--tool-table"), "{wrong}");
 }
 
 #[test]
@@ -253,8 +214,8 @@ fn wrong_options_are_refused() {
         ("--radius 2 --type b --corners straight", "on arcs"),
         ("--radius 2 --type d", "possible values"),
     ] {
-        let said = failure(folder.path(), &format!("offset square.nc {options}"), 2);
-        assert!(said.contains(words), "{options}: {said}");
+        let wrong = failure(folder.path(), &format!("offset square.nc {options}"), 2);
+        assert!(wrong.contains(words), "{options}: {wrong}");
     }
 }
 
@@ -262,6 +223,6 @@ fn wrong_options_are_refused() {
 fn blocks_are_left_out_if_asked() {
     let folder = folder(&[("slash.nc", "G00 X1.\n/G00 X2.\nG00 X3.\n")]);
     let lines =
-        |options: &str| text(folder.path(), &format!("offset slash.nc {options}")).lines().count();
+        |options: &str| said(folder.path(), &format!("offset slash.nc {options}")).lines().count();
     assert_eq!((lines(""), lines("--block-delete")), (4, 3));
 }

@@ -1,12 +1,13 @@
 //! Dwells and program stops, tools and spindle speeds, in `onepulse run` and `onepulse profile`.
 #![allow(clippy::unwrap_used)]
 
-use assert_cmd::cargo::cargo_bin_cmd;
+mod common;
+
+use common::{onepulse, report, said};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-use std::process::Output;
 use tempfile::TempDir;
 
 /// A dwell at the start, between two blocks and at the end; a stop; and a block that goes straight on.
@@ -32,22 +33,7 @@ fn without_pauses() -> String {
 }
 
 fn folder(program: &str) -> TempDir {
-    let folder = TempDir::new().unwrap();
-    fs::write(folder.path().join("p.nc"), program).unwrap();
-    folder
-}
-
-fn onepulse(folder: &Path, arguments: &str) -> Output {
-    let mut command = cargo_bin_cmd!("onepulse");
-    command.current_dir(folder).args(arguments.split_whitespace()).output().unwrap()
-}
-
-/// What a command that succeeds says on standard output.
-fn said(folder: &Path, arguments: &str) -> String {
-    let output = onepulse(folder, arguments);
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.success(), "{arguments}: {errors}");
-    String::from_utf8(output.stdout).unwrap()
+    common::folder(&[("p.nc", program)])
 }
 
 /// What a run of a program wrote.
@@ -61,8 +47,7 @@ impl Run {
     fn of(program: &str, options: &str) -> Self {
         let folder = folder(program);
         let summary = said(folder.path(), &format!("run p.nc {options}"));
-        let report = fs::read_to_string(folder.path().join("out/report.json")).unwrap();
-        let report: Value = serde_json::from_str(&report).unwrap();
+        let report = report(folder.path());
         assert_eq!(report["hardware_agrees"], true);
         Self { folder, summary, report }
     }

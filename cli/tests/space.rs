@@ -1,12 +1,13 @@
 //! `onepulse run` and `onepulse profile` of programs that move X, Y and Z.
 #![allow(clippy::unwrap_used)]
 
-use assert_cmd::cargo::cargo_bin_cmd;
+mod common;
+
+use common::{onepulse, report, said};
 use serde_json::Value;
 use std::collections::{BTreeMap, HashMap};
 use std::fs;
 use std::path::Path;
-use std::process::Output;
 use tempfile::TempDir;
 
 /// A pocket at a depth of 1 mm, a groove along an arc in ZX, one along an arc in YZ, and a ramp.
@@ -48,29 +49,13 @@ const ENDS: [(i64, [i64; 3]); 13] = [
 const RAMP: &str = "G01 X3. Y5. Z-2. F300\nG00 X0. Y0. Z0.\n";
 
 fn folder(program: &str) -> TempDir {
-    let folder = TempDir::new().unwrap();
-    fs::write(folder.path().join("p.nc"), program).unwrap();
-    folder
-}
-
-fn onepulse(folder: &Path, arguments: &str) -> Output {
-    let mut command = cargo_bin_cmd!("onepulse");
-    command.current_dir(folder).args(arguments.split_whitespace()).output().unwrap()
-}
-
-/// What a command that succeeds says on standard output.
-fn said(folder: &Path, arguments: &str) -> String {
-    let output = onepulse(folder, arguments);
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.success(), "{arguments}: {errors}");
-    String::from_utf8(output.stdout).unwrap()
+    common::folder(&[("p.nc", program)])
 }
 
 /// Runs into `out`; the report and the summary.
 fn run(folder: &Path, options: &str) -> (Value, String) {
     let summary = said(folder, &format!("run p.nc --out out {options}"));
-    let report = fs::read_to_string(folder.join("out/report.json")).unwrap();
-    (serde_json::from_str(&report).unwrap(), summary)
+    (report(folder), summary)
 }
 
 fn of_axes(value: &Value) -> [i64; 3] {
