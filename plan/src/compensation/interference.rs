@@ -4,7 +4,7 @@ use super::course::Course;
 use super::curve::Curve;
 use super::distance::{Shape, gap};
 use super::faults::Faults;
-use super::lead::protected;
+use super::lead::{is_closed, protected};
 use super::vector::{Vector, distance};
 use super::{Cut, Element, Overcut, OvercutKind, Role};
 use rstar::primitives::{GeomWithData, Rectangle};
@@ -14,9 +14,9 @@ use std::collections::HashMap;
 /// How much nearer than the radius is let pass, in millimetres.
 const TOLERANCE: f64 = 1e-8;
 
-/// The same on the way in and out: an arc programmed in three decimals is not quite tangent to the contour's
-/// other end, which is none of its neighbours.
-const TOLERANCE_OF_LEAD: f64 = 1e-4;
+/// The same where a closed contour ends on its beginning, and on the way in and out: there blocks meet that do
+/// not follow each other, and in three decimals they are not quite tangent.
+const TOLERANCE_OF_SEAM: f64 = 1e-5;
 
 /// How many pairs of lines are reported.
 const MOST: usize = 20;
@@ -41,8 +41,9 @@ pub(super) fn check(
 
 fn interferences(course: &Course, cuts: &[Cut], is_spoilt: &[bool]) -> Vec<Overcut> {
     let protected = &course.curves[protected(course)];
-    let index = |curve: Option<&Curve>| curve.map_or(0, |curve| curve.index);
-    let closed = index(protected.first())..=index(protected.last());
+    let [first, last] =
+        [protected.first(), protected.last()].map(|end| end.map_or(0, |end| end.index));
+    let is_closed = is_closed(protected);
     let machined: Vec<(&Curve, Shape)> = protected
         .iter()
         .filter(|curve| curve.block.is_machined)
@@ -70,13 +71,16 @@ fn interferences(course: &Course, cuts: &[Cut], is_spoilt: &[bool]) -> Vec<Overc
         if !is_machined || is_spoilt[cut.block] {
             continue;
         }
-        let spare = if closed.contains(&cut.block) { TOLERANCE } else { TOLERANCE_OF_LEAD };
+        let leads = !(first..=last).contains(&cut.block);
         let shape = Shape::of(&cut.element);
         let [least, most] = shape.bounds();
         let near = Near { envelope: AABB::from_corners(least, most), reach: course.radius };
         for boxed in tree.locate_with_selection_function(near) {
             let (other, contour) = &machined[boxed.data];
             let (distance, at) = gap(&shape, contour);
+            let ends = [cut.block.min(other.index), cut.block.max(other.index)];
+            let is_seam = is_closed && ends == [first, last];
+            let spare = if leads || is_seam { TOLERANCE_OF_SEAM } else { TOLERANCE };
             if distance >= course.radius - spare - rounding(&cut.element, &other.block.element) {
                 continue;
             }

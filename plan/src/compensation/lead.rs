@@ -31,10 +31,10 @@ pub(super) fn protected(course: &Course) -> Range<usize> {
 /// Whether a part of the contour is closed, and what is before and after it leads in and out.
 fn is_led_to(course: &Course, part: &Range<usize>) -> bool {
     let all = course.contour();
-    let (first, last) = (&course.curves[part.start], &course.curves[part.end - 1]);
-    if distance(first.start.point, last.end.point) > TOUCH {
+    if !is_closed(&course.curves[part.clone()]) {
         return false;
     }
+    let (first, last) = (&course.curves[part.start], &course.curves[part.end - 1]);
     let leads_in = part.start == all.start || {
         let before = &course.curves[part.start - 1];
         joins(before, &before.end, &first.start)
@@ -45,6 +45,15 @@ fn is_led_to(course: &Course, part: &Range<usize>) -> bool {
             let after = &course.curves[part.end];
             joins(after, &after.start, &last.end) && is_beside(after.start.tangent, first, last)
         })
+}
+
+/// Whether a row of curves ends where it begins.
+pub(super) fn is_closed(curves: &[Curve]) -> bool {
+    match curves {
+        [only] => distance(only.start.point, only.end.point) <= TOUCH,
+        [first, .., last] => distance(first.start.point, last.end.point) <= TOUCH,
+        [] => false,
+    }
 }
 
 /// Whether a block is an arc that is tangent to the contour where it joins it, and bends more towards the tool.

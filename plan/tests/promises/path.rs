@@ -11,8 +11,8 @@ use std::collections::BTreeMap;
 /// How exactly the path keeps its distances, in millimetres.
 const EXACTNESS: f64 = 1e-6;
 
-/// The same where arcs lead in and out, whose programmed ends are not quite tangent.
-const EXACTNESS_OF_LEADS: f64 = 2e-4;
+/// The same of closed contours, whose programmed ends are not quite tangent.
+const EXACTNESS_OF_SEAMS: f64 = 2e-5;
 
 /// Follows the path of a program to its end. Panics where a promise is broken.
 pub(crate) fn check(text: &[u8], machine: &Machine, tools: &Tools, compensation: Compensation) {
@@ -153,10 +153,13 @@ impl Followed {
         }
         self.section = section;
         let (contour, path) = (std::mem::take(&mut self.contour), std::mem::take(&mut self.path));
-        let (contour, exactness) = match leads(&contour) {
-            [0, 0] => (&contour[..], EXACTNESS),
-            [before, after] => (&contour[before..contour.len() - after], EXACTNESS_OF_LEADS),
+        let [before, after] = leads(&contour);
+        let contour = &contour[before..contour.len() - after];
+        let is_closed = match contour {
+            [first, .., last] => first.ends()[0] == last.ends()[1],
+            _ => before + after > 0,
         };
+        let exactness = if is_closed { EXACTNESS_OF_SEAMS } else { EXACTNESS };
         for part in &path {
             for point in samples(part) {
                 for block in contour {

@@ -44,7 +44,7 @@ fn quarter_circles_lead_in_and_out() {
     }
     // In a few decimals the arc is not quite tangent.
     let near =
-        [line([8.0, -30.0], [8.0, -7.96]), arc([8.0, -7.96], [0.0, 0.0], [0.04, -7.96], Ccw)];
+        [line([8.0, -30.0], [8.0, -7.99]), arc([8.0, -7.99], [0.0, 0.0], [0.01, -7.99], Ccw)];
     assert_passes(&between(&near, &square(), &after), Side::Left, 5.0);
     // A line, or an arc that bends away from the tool, may be an edge.
     let edge = [line([20.0, -30.0], [20.0, -8.0]), line([20.0, -8.0], [0.0, 0.0])];
@@ -105,4 +105,20 @@ fn two_blocks_lead_in_and_no_more() {
         arc,
     ];
     assert!(!interfering(&between(&three, &square(), &after), Side::Left, 5.0).is_empty());
+}
+
+#[test]
+fn a_seam_in_three_decimals_is_none() {
+    // Begun and ended in the middle of a side, which is not quite on the line between its ends.
+    let seam = |y: f64| {
+        let points = [[0.0, y], [-20.0, 0.0], [-20.0, 40.0], [20.0, 40.0], [20.0, 0.0], [0.0, y]];
+        let contour = [0, 1, 2, 3, 4].map(|place| line(points[place], points[place + 1]));
+        let ends = [line([0.0, -30.0], points[0]), line(points[0], [0.0, -30.0])];
+        between(&ends[..1], &contour, &ends[1..])
+    };
+    for y in [-0.005, 0.0, 0.005] {
+        assert_passes(&seam(y), Side::Left, 5.0);
+    }
+    // An inside corner of 0.01 mm is one.
+    assert!(!interfering(&seam(0.1), Side::Left, 5.0).is_empty());
 }
