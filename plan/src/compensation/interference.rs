@@ -71,7 +71,8 @@ fn interferences(course: &Course, cuts: &[Cut], is_spoilt: &[bool]) -> Vec<Overc
         if !is_machined || is_spoilt[cut.block] {
             continue;
         }
-        let leads = !(first..=last).contains(&cut.block);
+        // Round the corner after the approach no contour is led to.
+        let leads = cut.block > 0 && !(first..=last).contains(&cut.block);
         let shape = Shape::of(&cut.element);
         let [least, most] = shape.bounds();
         let near = Near { envelope: AABB::from_corners(least, most), reach: course.radius };

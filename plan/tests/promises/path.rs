@@ -75,8 +75,8 @@ struct Followed {
     /// How often compensation has been established, and with which radius.
     section: usize,
     radius: f64,
-    /// What is machined of the contour since then, and the path along it.
-    contour: Vec<Element>,
+    /// The contour since then, with what of it is machined, and the path along that.
+    contour: Vec<(Element, bool)>,
     path: Vec<Element>,
     /// The blocks of contours.
     blocks: usize,
@@ -96,9 +96,7 @@ impl Followed {
         step.motions().for_each(|motion| self.motion(motion, step));
         if let Some(contour) = step.contour {
             self.blocks += 1;
-            if step.rate != Rate::Rapid {
-                self.contour.push(contour);
-            }
+            self.contour.push((contour, step.rate != Rate::Rapid));
         }
         if let Cutter::On { side, radius, .. } = step.cutter {
             self.compensated(step, side, radius);
@@ -156,13 +154,13 @@ impl Followed {
         let [before, after] = leads(&contour);
         let contour = &contour[before..contour.len() - after];
         let is_closed = match contour {
-            [first, .., last] => first.ends()[0] == last.ends()[1],
+            [(first, _), .., (last, _)] => first.ends()[0] == last.ends()[1],
             _ => before + after > 0,
         };
         let exactness = if is_closed { EXACTNESS_OF_SEAMS } else { EXACTNESS };
         for part in &path {
             for point in samples(part) {
-                for block in contour {
+                for (block, _) in contour.iter().filter(|(_, is_machined)| *is_machined) {
                     let away = away(block, point);
                     assert!(
                         away >= self.radius - exactness,
@@ -196,7 +194,7 @@ impl Followed {
 
 /// How many blocks may lead in to a closed part of a contour, and how many out: two at most, and the one
 /// at the closed part is an arc.
-fn leads(contour: &[Element]) -> [usize; 2] {
+fn leads(contour: &[(Element, bool)]) -> [usize; 2] {
     let mut most = [0; 2];
     for before in 0..=2 {
         for after in 0..=2 {
@@ -204,10 +202,10 @@ fn leads(contour: &[Element]) -> [usize; 2] {
                 continue;
             }
             let closed = &contour[before..contour.len() - after];
-            let is_arc = |block: &Element| matches!(block, Element::Arc { .. });
+            let is_arc = |block: &(Element, bool)| matches!(block.0, Element::Arc { .. });
             let is_led = (before == 0 || is_arc(&contour[before - 1]))
                 && (after == 0 || is_arc(&contour[contour.len() - after]));
-            if is_led && closed[0].ends()[0] == closed[closed.len() - 1].ends()[1] {
+            if is_led && closed[0].0.ends()[0] == closed[closed.len() - 1].0.ends()[1] {
                 most = [most[0].max(before), most[1].max(after)];
             }
         }
