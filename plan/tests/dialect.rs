@@ -658,3 +658,21 @@ fn tools_may_have_no_diameter() {
     let table = ToolTable::read("T1 D0\nT2 D0.000\n").unwrap();
     assert_eq!([1, 2].map(|tool| table.diameter(tool)), [Some("0".parse().unwrap()); 2]);
 }
+
+/// Along (1,1) two points 1.2 picometres apart may be one in whole picometres: the arc between them is nothing
+/// all the same, and the other way round it is a whole turn.
+#[test]
+fn arcs_whose_ends_meet_in_whole_picometres_keep_their_turn() {
+    for step in 0..40 {
+        let tools = Tools::Radius(3.5 + 0.03 * f64::from(step));
+        let arcs = |end: &str| -> usize {
+            let program = format!(
+                "G00 X-10. Y10.\nG41 G01 X0. Y0. F600\nG03 X{end} Y{end} I-20. J20.\nG40 G01 X-9. Y10.\n"
+            );
+            let motions = path(&program, &tools).motions().collect::<Result<Vec<_>, _>>().unwrap();
+            motions.iter().filter(|motion| motion.curve != Curve::Line).count()
+        };
+        assert_eq!(arcs("0.000000001"), 0, "{tools:?}");
+        assert_eq!(arcs("-0.000000001"), 1, "{tools:?}");
+    }
+}
