@@ -331,6 +331,11 @@ fn a_program_of_the_path_has_all_words() {
     let due = "%\nG21 G90 G17 G40\nG00 X-0.5 S1200.5 T1\nG04 P0.05\nG01 X1. F100.\nG01 X2. F200.\nM00\n\
                G01 X3.\nG02 I5. J0.\nG18 G03 X5. Z2. K0. I2.\nG17 G01 Y1. S0 T2\nM30\n%\n";
     assert_eq!(text(folder.path(), "offset all.nc --format ngc"), due);
+    // An arc whose ends meet in whole picometres does not become a whole turn.
+    let tiny = "G00 X-10. Y10.\nG41 G01 X0. Y0. F600\nG03 X0.000000001 Y0.000000001 I-20. J20.\nG40 G01 X-9.\n";
+    fs::write(folder.path().join("tiny.nc"), tiny).unwrap();
+    let ngc = text(folder.path(), "offset tiny.nc --radius 3.59 --format ngc");
+    assert!(!ngc.contains("G03"), "{ngc}");
 }
 
 #[test]
