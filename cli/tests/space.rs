@@ -193,6 +193,16 @@ fn a_line_of_three_axes_by_the_methods_that_have_its_circuit() {
     }
 }
 
+/// The circuit of three axes is there also if the last line does not need it.
+#[test]
+fn a_line_of_three_axes_may_come_before_one_of_two() {
+    let folder = folder("G01 X3. Y5. Z-2. F300\nX4. Y2.\n");
+    let (report, _) = run(folder.path(), "--method dda");
+    let ends = check(folder.path(), &report);
+    assert_eq!(ends, BTreeMap::from([(1, [300, 500, -200]), (2, [400, 200, -200])]));
+    assert!(wave(folder.path()).keys().any(|name| name.starts_with("onepulse.dda_line_xyz.")));
+}
+
 #[test]
 fn a_line_of_three_axes_is_refused_where_there_is_no_circuit() {
     for method in ["ppc", "compare-integral"] {

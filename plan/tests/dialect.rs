@@ -136,6 +136,11 @@ fn pauses_come_in_their_place() {
             (7, Some(None)),
         ]
     );
+    // As long as any.
+    let longest = &steps("G04 P1000000", &Tools::Unknown)[0];
+    assert!(
+        matches!(longest, Step::Pause(pause) if pause.dwell == Some(Duration::from_secs(1_000_000)))
+    );
     // The X of a dwell is no coordinate; the modes of its block hold.
     assert_eq!(moves(program, &Tools::Unknown)[1].to, [0.06, 0.0, 0.0]);
 }
@@ -447,5 +452,227 @@ fn overcuts_are_told_up_to_a_number() {
     let program = format!("G00 X-9. Y-9.\nG41 D2 G01 X0.5 Y0. F600\n{teeth}G40 Y-20.\n");
     let wrong = refusals(&program, &table());
     assert_eq!(wrong.len(), 20);
+    let Some(Err(PathError::Program { gouges, .. })) =
+        path(&program, &table()).find(Result::is_err)
+    else {
+        panic!()
+    };
+    assert_eq!(gouges[0].overcuts.len(), 20);
     assert!(wrong.is_sorted_by_key(|diagnostic| diagnostic.place.line));
+    // Those of the contours and of the program together.
+    let small = "G00 X0. Y-20.\nG41 D2 G01 Y0. F600\nG03 X-8. R4.\nG40 G01 Y-20.\n";
+    assert_eq!(refusals(&format!("{small}{}", "G54\n".repeat(30)), &table()).len(), 20);
+}
+
+#[test]
+fn overcuts_say_what_to_do() {
+    let small = "G00 X0. Y-20.\nG41 D2 G01 Y0. F600\nG03 X-8. R4.\nG40 G01 Y-20.\n";
+    for (tools, help) in [(table(), "larger arc"), (Tools::Radius(1e8), "tool table")] {
+        let wrong = refusals(small, &tools);
+        assert!(wrong[0].help.contains(help), "{wrong:?}");
+    }
+}
+
+/// What is cut into and by which block.
+#[test]
+fn overcuts_name_both_blocks() {
+    let pair = |wrong: &Diagnostic| {
+        (wrong.place.line, wrong.also.iter().map(|also| also.line).collect::<Vec<_>>())
+    };
+    let found: Vec<_> = refusals(NECK, &table()).iter().map(pair).collect();
+    // The neck's lower side and its upper one, each into the other.
+    assert!(found.contains(&(6, vec![12])), "{found:?}");
+    assert!(found.iter().all(|(line, also)| matches!(line, 6 | 12) && also.len() == 1));
+    // Where it is not machined there is nothing to cut into.
+    assert!(path(&NECK.replace("G01 Y11.5", "G00 Y11.5"), &table()).all(|step| step.is_ok()));
+}
+
+/// Two rooms of 20 mm and a neck of 3 mm between them, from inside: a cutter of 2 mm cuts into both its sides.
+const NECK: &str = "G00 X10. Y10.\nG41 D1 G01 X0. F600\nY0.\nX20.\nY8.5\nX30.\nY0.\nX50.\nY20.\nX30.\nG01 Y11.5\nX20.\nY20.\nG01 X0.\nY10.\nG40 X10.\n";
+
+/// Words that say again what is so change nothing, nor does G40 before anything was compensated.
+#[test]
+fn compensation_waits_for_a_line_in_the_plane() {
+    let plain = moves(&square("", "G41 D1"), &table());
+    let flat = |program: &str| -> Vec<_> {
+        let moves = moves(program, &table());
+        let moves = moves.into_iter().filter(|step| step.from[2] == step.to[2]);
+        moves.map(|step| (step.role, step.from[..2].to_vec(), step.to[..2].to_vec())).collect()
+    };
+    let due: Vec<_> =
+        plain.iter().map(|s| (s.role, s.from[..2].to_vec(), s.to[..2].to_vec())).collect();
+    let square = square("", "G41 D1");
+    for (from, to) in [
+        ("G01 G41 D1 X0.", "G01 G41 D1\nG41 D1\nX0."),
+        // Across the plane nothing is established and nothing cancelled.
+        ("G01 G41 D1 X0.", "G41 D1\nZ2.\nG01 X0."),
+        ("G40 X-30.", "G40\nZ9.\nX-30."),
+    ] {
+        assert!(square.contains(from));
+        assert_eq!(flat(&square.replace(from, to)), due, "{to}");
+    }
+    let roles: Vec<_> =
+        moves("G41 D1\nG40\nG01 X5 F1", &table()).iter().map(|step| step.role).collect();
+    assert_eq!(roles, [Role::Feed]);
+}
+
+#[test]
+fn changes_are_refused_before_and_after_the_contour_too() {
+    let cancelled = "G00 X1\nG41 D1 X2\nX5.\nG40\nD2\nX9.";
+    check_refused(
+        &table(),
+        &[
+            ("G41 D1\nD2\nG40", 2, 1, "D2", "radius changes"),
+            ("G41 D1\nG42\nG40", 2, 1, "G42", "the side changes"),
+            (cancelled, 5, 1, "D2", "radius changes"),
+            ("G00 X1\nG41 D1\nM02", 3, 1, "M02", "while the cutter is compensated"),
+        ],
+    );
+}
+
+/// A block with an error establishes and cancels as if it had none.
+#[test]
+fn an_error_while_compensated_leaves_no_false_ones_behind_it() {
+    check_refused(
+        &table(),
+        &[
+            ("G00 X-30.\nG41 D1 G01 X0. F1 Q1\nG02 X2. Y2. I2.\nG40 G01 X9.", 2, 19, "Q1", "Q1"),
+            ("G00 X-30.\nG41 D1 G01 X0. F1\nX2.\nG40 X9. Q1\nM02", 4, 9, "Q1", "Q1"),
+        ],
+    );
+}
+
+/// The plunge of a contour is a rapid or a feed motion as it is programmed.
+#[test]
+fn plunges_keep_their_role() {
+    let program = square("", "G41 D1").replace("X20.\nY0", "Z-5.\nX20.\nG00 Z3.\nG01 Y0");
+    let moves = moves(&program, &table());
+    let plunges: Vec<_> = moves
+        .iter()
+        .filter(|step| step.from[2] != step.to[2])
+        .map(|step| (step.role, step.to))
+        .collect();
+    assert_eq!(plunges, [(Role::Feed, [-2.0, 22.0, -5.0]), (Role::Rapid, [22.0, 22.0, 3.0])]);
+    // The rest belongs to its blocks, as without them.
+    let contour: Vec<_> = moves
+        .iter()
+        .filter(|step| step.contour.is_some() || step.role == Role::Cancel)
+        .map(|step| step.place.line)
+        .collect();
+    assert_eq!(contour, [3, 5, 7, 8, 9, 10]);
+}
+
+/// A cutter of 2 mm inside a circle of 20 mm about the origin, once round from (20,0) with this block.
+fn bore(block: &str) -> String {
+    format!("G00 X10.\nG41 D1 G01 X20. F600\n{block}\nG40 G01 X10. Y0.\n")
+}
+
+/// Whole turns, and arcs shorter than what a point is exact to.
+#[test]
+fn whole_turns_are_compensated_and_vanishing_arcs_do_not_become_some() {
+    let whole = |program: &str| -> Vec<_> {
+        let motions: Vec<_> = path(program, &table()).motions().collect::<Result<_, _>>().unwrap();
+        let arcs = motions.into_iter().filter(|motion| motion.curve != Curve::Line);
+        arcs.filter(|motion| motion.from == motion.to).map(|motion| motion.to).collect()
+    };
+    assert_eq!(whole(&bore("G03 I-20.")), [[1800, 0, 0]]);
+    let moves = moves(&bore("G03 I-20."), &table());
+    let round = &moves[2];
+    assert_eq!((round.role, round.arc), (Role::Offset, Some(([0.0; 2], Direction::Ccw))));
+    assert_eq!((round.from, round.to), ([18.0, 0.0, 0.0], [18.0, 0.0, 0.0]));
+    // A picometre less than a turn is one, and a picometre is none.
+    let arcs = |block: &str| -> usize {
+        let (program, tools) = (bore(block), Tools::Radius(19.5));
+        let motions = path(&program, &tools).motions().collect::<Result<Vec<_>, _>>().unwrap();
+        motions.iter().filter(|motion| motion.curve != Curve::Line).count()
+    };
+    assert_eq!(arcs("G03 Y-0.000000001 I-20."), 1);
+    assert_eq!(arcs("G03 Y0.000000001 I-20."), 0);
+}
+
+#[test]
+fn arcs_by_their_radius_are_compensated_as_those_by_their_centre() {
+    for (by_centre, by_radius) in [
+        ("G03 X0. Y20. I-20.", "G03 X0. Y20. R20."),
+        ("G03 X0. Y-20. I-20.", "G03 X0. Y-20. R-20."),
+        ("G02 X0. Y20. J20.", "G02 X0. Y20. R20."),
+    ] {
+        let program =
+            |arc: &str| format!("G00 X15. Y1.\nG41 D1 G01 X20. Y0. F1\n{arc}\nG40 G01 X2. Y3.\n");
+        let [one, other] = [by_centre, by_radius].map(|arc| moves(&program(arc), &table()));
+        assert_eq!(one.len(), other.len());
+        for (one, other) in one.iter().zip(&other) {
+            assert_eq!(
+                (one.role, one.arc.map(|arc| arc.1)),
+                (other.role, other.arc.map(|arc| arc.1))
+            );
+            for axis in 0..3 {
+                assert!((one.to[axis] - other.to[axis]).abs() < 1e-9, "{by_radius}: {other:?}");
+            }
+        }
+    }
+    check_refused(
+        &table(),
+        &[(&bore("G03 X0. Y20. R9."), 3, 14, "R9.", "further away than this radius reaches")],
+    );
+}
+
+/// The centre that is told of an arc by its radius: of radius 5 through (0,0) and (8,0).
+#[test]
+fn arcs_by_their_radius_tell_their_centre() {
+    for (arc, centre) in [
+        ("G03 X8. R5.", [4.0, 3.0]),
+        ("G03 X8. R-5.", [4.0, -3.0]),
+        ("G02 X8. R5.", [4.0, -3.0]),
+        ("G02 X8. R-5.", [4.0, 3.0]),
+    ] {
+        let moves = moves(&format!("{arc} F1"), &Tools::Unknown);
+        let (found, _) = moves[0].arc.unwrap();
+        assert!((0..2).all(|axis| (found[axis] - centre[axis]).abs() < 1e-12), "{arc}: {found:?}");
+    }
+}
+
+/// More than half a turn with radii that differ within the tolerance.
+#[test]
+fn long_arcs_off_their_circle_are_compensated_too() {
+    let moves = moves(&bore("G03 X0. Y-20.004 I-20.").replace("X10. Y0.", "X0. Y-10."), &table());
+    let arc = moves.iter().find(|step| step.arc.is_some()).unwrap();
+    let (centre, _) = arc.arc.unwrap();
+    let from = |[x, y]: [f64; 2]| (x - centre[0]).hypot(y - centre[1]);
+    assert!((from([20.0, 0.0]) - from([0.0, -20.004])).abs() < 1e-9, "{centre:?}");
+    assert!(centre[0].hypot(centre[1]) < 0.005, "{centre:?}");
+}
+
+/// 10 km away a float counts in two picometres: the end of the line that cancels is the programmed one all
+/// the same, here less than half a pulse from 999999998.
+#[test]
+fn cancelling_ends_at_the_very_point() {
+    let program = "G00 X9999990. Y10.\nG41 G01 Y20. F1\nX9999995.\nG40 X9999999.984999999 Y15.\n";
+    let motions: Vec<_> =
+        path(program, &Tools::Radius(2.0)).motions().collect::<Result<_, _>>().unwrap();
+    assert_eq!(motions.last().unwrap().to, [999_999_998, 1500, 0]);
+}
+
+#[test]
+fn tools_may_have_no_diameter() {
+    let table = ToolTable::read("T1 D0\nT2 D0.000\n").unwrap();
+    assert_eq!([1, 2].map(|tool| table.diameter(tool)), [Some("0".parse().unwrap()); 2]);
+}
+
+/// Along (1,1) two points 1.2 picometres apart may be one in whole picometres: the arc between them is nothing
+/// all the same, and the other way round it is a whole turn.
+#[test]
+fn arcs_whose_ends_meet_in_whole_picometres_keep_their_turn() {
+    for step in 0..40 {
+        let tools = Tools::Radius(3.5 + 0.03 * f64::from(step));
+        let arcs = |end: &str| -> usize {
+            let program = format!(
+                "G00 X-10. Y10.\nG41 G01 X0. Y0. F600\nG03 X{end} Y{end} I-20. J20.\nG40 G01 X-9. Y10.\n"
+            );
+            let motions = path(&program, &tools).motions().collect::<Result<Vec<_>, _>>().unwrap();
+            motions.iter().filter(|motion| motion.curve != Curve::Line).count()
+        };
+        assert_eq!(arcs("0.000000001"), 0, "{tools:?}");
+        assert_eq!(arcs("-0.000000001"), 1, "{tools:?}");
+    }
 }

@@ -5,7 +5,7 @@ mod promises;
 
 use onepulse_core::Direction;
 use onepulse_plan::centre_path::{CentrePath, Compensation, PathError, Step};
-use onepulse_plan::gcode::Program;
+use onepulse_plan::gcode::{Program, ProgramError};
 use onepulse_plan::{Curve, Diagnostic, Integers, Length, Machine, Motion, Place, Rate, Tools};
 use proptest::prelude::*;
 
@@ -432,6 +432,12 @@ fn arcs_that_end_off_their_circle_are_refused() {
             words,
         )],
     );
+    // The tolerance is exact, outward and inward: two pulses.
+    for (within, beyond) in [("5.02", "5.020000001"), ("4.98", "4.979999999")] {
+        let program = |y: &str| format!("G00 X5. Y0.\nG03 X0. Y{y} I-5. J0. F100");
+        assert_eq!(motions(program(within), &machine()).len(), 2);
+        assert!(refusal(program(beyond), &machine()).message.contains("off the circle"));
+    }
     let text = "G03 X0. Y5.006 I-5. J0. F100";
     let program = format!("G00 X5. Y0.\n{text}");
     check_refused(&fine_machine(), &[(&program, 2, 1, text, "off the circle")]);
@@ -501,6 +507,8 @@ fn circles_smaller_than_a_pulse_are_lines_at_most() {
         &[
             ("G02 I0.001 F1\nG01 X5", &["2 line 0,0 5,0 F1"]),
             ("G03 X0.01 I0.005 F1", &["1 line 0,0 1,0 F1"]),
+            // Half a turn, of which rounding makes less.
+            ("G03 X0.03 Y0.01 I0.015 J0.005 F1", &["1 ccw 0,0 3,1 about 2,1 F1"]),
         ],
     );
 }
@@ -563,6 +571,12 @@ fn line_ends_may_be_those_of_windows() {
 fn long_lines_are_read_and_endless_ones_refused() {
     let comment = format!("G01 X5 F100 ({})", "x".repeat(4000));
     check(&machine(), &[(&comment, &["1 line 0,0 5,0 F100"])]);
+    // The longest there is, with a line end and without.
+    let longest = format!("G01 X5 F100{}", " ".repeat(4096 - 11));
+    for program in [longest.clone(), format!("{longest}\nM02")] {
+        check(&machine(), &[(&program, &["1 line 0,0 5,0 F100"])]);
+    }
+    assert!(refusal(longest + " ", &machine()).message.contains("4096 bytes"));
     for filler in [" ", "x", "圆", "X5"] {
         let program = format!("G01 X5 F100\n{}\nX6", filler.repeat(100_000));
         let diagnostic = refusal(&program, &machine());
@@ -644,6 +658,7 @@ fn line_numbers_are_whole_and_come_first() {
             ("G01 N5 X1 F100", 1, 5, "N5", "middle of a block"),
             ("N5 N6", 1, 4, "N6", "middle of a block"),
             ("N10.5 G00 X5", 1, 1, "N10.5", "whole number"),
+            ("N10. G00 X5", 1, 1, "N10.", "whole number"),
             ("N-10 G00 X5", 1, 1, "N-10", "whole number"),
         ],
     );
@@ -683,6 +698,8 @@ fn characters_that_begin_no_word_are_refused() {
         &machine(),
         &[
             ("#100=5", 1, 1, "#", "'#' does not begin a word"),
+            ("#1;Q5", 1, 1, "#", "'#' does not begin a word"),
+            ("#1(Q5)", 1, 1, "#", "'#' does not begin a word"),
             ("G01 5", 1, 5, "5", "'5' does not begin a word"),
             ("G01 X1.2.3", 1, 9, ".", "'.' does not begin a word"),
             ("G01 X5) F100", 1, 7, ")", "')' does not begin a word"),
@@ -719,6 +736,8 @@ fn motions_need_a_mode_and_a_feed() {
         &[
             ("X5", 1, 1, "X5", "before any motion mode"),
             ("G90 G21\nF100 Y5 (far)", 2, 1, "F100 Y5", "before any motion mode"),
+            ("X5\nX6", 1, 1, "X5", "before any motion mode"),
+            ("G01 X5\nX6", 1, 1, "G01 X5", "before any feed rate"),
             ("I5", 1, 1, "I5", "before any motion mode"),
             ("G01 X5", 1, 1, "G01 X5", "before any feed rate"),
             ("G00 X5\n  G02 X5 Y5 J5", 2, 3, "G02 X5 Y5 J5", "before any feed rate"),
@@ -749,6 +768,7 @@ fn centres_and_radii_belong_to_arcs_and_do_not_mix() {
             ("G00 X5 J5", 1, 8, "J5", "belong to arcs"),
             ("G01 X5 R5 F1", 1, 8, "R5", "belong to arcs"),
             ("G01 R5 F1", 1, 5, "R5", "belong to arcs"),
+            ("G01 X5 R5 I5 F1", 1, 8, "R5", "belong to arcs"),
             ("F1 G02 X5 Y5", 1, 1, "F1 G02 X5 Y5", "an arc without a centre"),
             ("G00 X5 F1\nG02", 2, 1, "G02", "an arc without end point and centre"),
         ],
@@ -853,6 +873,12 @@ fn an_error_leaves_no_false_ones_behind_it() {
     assert_eq!(all_refused("G01 X10 Y0 F100 Q5\nG03 X0 Y10 I-10\nG01 X5"), [(1, 17, "Q5".into())]);
     // Where a faulty block went is not known: no arc can be held against it.
     assert_eq!(all_refused("G01 X5. Y F100\nG03 X0 Y10 I-10"), [(1, 9, "Y".into())]);
+    assert_eq!(all_refused("G01 X Y5. F100\nG03 X0 Y10 I-10"), [(1, 5, "X".into())]);
+    // Nor after an increment from there.
+    let found = all_refused("G01 X5. Y F100\nG91 Y1\nG90 G03 X0 Y10 I-10");
+    assert_eq!(found, [(1, 9, "Y".into())]);
+    let found = all_refused("G01 X5. Y0.0000000001 F100\nG03 X0 Y10 I-10");
+    assert_eq!(found, [(1, 9, "Y0.0000000001".into())]);
     let found = all_refused("G01 X5. Y F100\nX10 Y0\nG03 X0 Y15 I-10");
     assert_eq!(found, [(1, 9, "Y".into()), (3, 1, "G03 X0 Y15 I-10".into())]);
 }
@@ -861,6 +887,35 @@ fn an_error_leaves_no_false_ones_behind_it() {
 fn errors_are_told_up_to_a_number() {
     let found = all_refused(&"G54\n".repeat(1000));
     assert_eq!(found.len(), 20);
+    // In one line as well, and without the path of the cutter's centre.
+    let line = "Q1 ".repeat(30);
+    let mut program = Program::new(line.as_bytes(), &machine(), &Tools::Unknown);
+    let Some(Err(ProgramError::Program(wrong))) = program.next() else { panic!() };
+    assert_eq!(wrong.len(), 20);
+}
+
+/// A wrong word of a block hides nothing of its motion, nor does the motion's first error its place.
+#[test]
+fn all_that_is_wrong_with_a_block_is_found() {
+    let found = all_refused("G02 X50 I1 F0");
+    assert_eq!(found, [(1, 12, "F0".into()), (1, 1, "G02 X50 I1 F0".into())]);
+    assert_eq!(all_refused("G00 X0.0000000001 Y0.0000000001")[0], (1, 5, "X0.0000000001".into()));
+}
+
+#[test]
+fn what_is_not_supported_is_explained() {
+    for (block, words) in [
+        ("A1", "three axes"),
+        ("W1", "three axes"),
+        ("M06", "coolant"),
+        ("H1", "tool length"),
+        ("G43", "tool length"),
+        ("G81", "no cycles"),
+        ("G54", "supported are G00"),
+    ] {
+        let help = refusal(block, &machine()).help;
+        assert!(help.contains(words), "{block}: {help}");
+    }
 }
 
 /// Programs that look like programs, and so get further than arbitrary bytes do.
