@@ -80,7 +80,8 @@ fn interferences(course: &Course, cuts: &[Cut], is_spoilt: &[bool]) -> Vec<Overc
             let (other, contour) = &machined[boxed.data];
             let (distance, at) = gap(&shape, contour);
             let ends = [cut.block.min(other.index), cut.block.max(other.index)];
-            let is_seam = is_closed && ends == [first, last];
+            let is_seam =
+                is_closed && cut.role == Role::Offset && first < last && ends == [first, last];
             let spare = if leads || is_seam { TOLERANCE_OF_SEAM } else { TOLERANCE };
             if distance >= course.radius - spare - rounding(&cut.element, &other.block.element) {
                 continue;

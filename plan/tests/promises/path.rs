@@ -151,12 +151,8 @@ impl Followed {
         }
         self.section = section;
         let (contour, path) = (std::mem::take(&mut self.contour), std::mem::take(&mut self.path));
-        let [before, after] = leads(&contour);
+        let ([before, after], is_closed) = leads(&contour);
         let contour = &contour[before..contour.len() - after];
-        let is_closed = match contour {
-            [(first, _), .., (last, _)] => first.ends()[0] == last.ends()[1],
-            _ => before + after > 0,
-        };
         let exactness = if is_closed { EXACTNESS_OF_SEAMS } else { EXACTNESS };
         for part in &path {
             for point in samples(part) {
@@ -193,24 +189,23 @@ impl Followed {
 }
 
 /// How many blocks may lead in to a closed part of a contour, and how many out: two at most, and the one
-/// at the closed part is an arc.
-fn leads(contour: &[(Element, bool)]) -> [usize; 2] {
-    let mut most = [0; 2];
-    for before in 0..=2 {
-        for after in 0..=2 {
-            if before + after >= contour.len() {
-                continue;
-            }
-            let closed = &contour[before..contour.len() - after];
-            let is_arc = |block: &(Element, bool)| matches!(block.0, Element::Arc { .. });
-            let is_led = (before == 0 || is_arc(&contour[before - 1]))
-                && (after == 0 || is_arc(&contour[contour.len() - after]));
-            if is_led && closed[0].0.ends()[0] == closed[closed.len() - 1].0.ends()[1] {
-                most = [most[0].max(before), most[1].max(after)];
-            }
+/// at the closed part is an arc. And whether there is such a part.
+fn leads(contour: &[(Element, bool)]) -> ([usize; 2], bool) {
+    let (mut most, mut has_closed) = ([0; 2], false);
+    let is_arc = |block: &(Element, bool)| matches!(block.0, Element::Arc { .. });
+    for (before, after) in (0..=2).flat_map(|before| (0..=2).map(move |after| (before, after))) {
+        if before + after >= contour.len() {
+            continue;
+        }
+        let closed = &contour[before..contour.len() - after];
+        let is_led = (before == 0 || is_arc(&contour[before - 1]))
+            && (after == 0 || is_arc(&contour[contour.len() - after]));
+        if is_led && closed[0].0.ends()[0] == closed[closed.len() - 1].0.ends()[1] {
+            most = [most[0].max(before), most[1].max(after)];
+            has_closed = true;
         }
     }
-    if most[0] + most[1] < contour.len() { most } else { [0; 2] }
+    (if most[0] + most[1] < contour.len() { most } else { [0; 2] }, has_closed)
 }
 
 /// A step's curve in its plane.

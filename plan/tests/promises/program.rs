@@ -10,9 +10,9 @@ pub(crate) fn check(text: &[u8], machine: &Machine, tools: &Tools) {
     let mut position = [Length::ZERO; 3];
     let (mut line, mut count) = (0, 0);
     while let Some(step) = program.next() {
-        // A block moves or dwells, and may stop besides.
+        // A block moves or dwells, and may stop besides; and an error comes last.
         count += 1;
-        assert!(count <= 2 * lines.count(), "it never ends");
+        assert!(count <= 2 * lines.count() + 1, "it never ends");
         match step {
             Ok(step) => {
                 let place = match &step {
