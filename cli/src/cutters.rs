@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use onepulse_plan::centre_path::{CentrePath, Compensation};
 use onepulse_plan::compensation::Corners;
-use onepulse_plan::gcode::Program;
+use onepulse_plan::gcode::{MOST_ERRORS, Program};
 use onepulse_plan::{Length, Machine, ToolTable, Tools};
 use std::fs;
 use std::io::BufRead;
@@ -62,10 +62,9 @@ impl CutterOptions {
                 let text = fs::read(path).map_err(|error| Failure::file(path, &error))?;
                 let table = ToolTable::read(&String::from_utf8_lossy(&text));
                 let file = || path.display().to_string();
-                Tools::Table(table.map_err(|wrong| Failure::Program {
-                    file: file(),
-                    wrong,
-                    gouges: Vec::new(),
+                Tools::Table(table.map_err(|mut wrong| {
+                    wrong.truncate(MOST_ERRORS);
+                    Failure::Program { file: file(), wrong, gouges: Vec::new() }
                 })?)
             }
             (None, Some(text)) => match text.parse::<Length>() {

@@ -103,12 +103,14 @@ fn underlined(file: &str, diagnostic: &Diagnostic, in_colour: bool) -> String {
         (file, start + place.span.start..start + place.span.end)
     };
     let name = |place: &Place| format!("line {}, column {}", place.line, place.column());
+    // In another order the lines would be shown in pieces.
+    let mut labels: Vec<&Place> = [place].into_iter().chain(also).collect();
+    labels.sort_by_key(|place| place.line);
     let config = Config::default().with_color(in_colour).with_index_type(IndexType::Byte);
     let report = Report::build(ReportKind::Error, at(place))
         .with_config(config)
         .with_message(format!("{file}:{}:{}: {message}", place.line, place.column()))
-        .with_label(Label::new(at(place)).with_message(name(place)))
-        .with_labels(also.iter().map(|other| Label::new(at(other)).with_message(name(other))))
+        .with_labels(labels.iter().map(|place| Label::new(at(place)).with_message(name(place))))
         .with_help(help)
         .finish();
     let mut shown = Vec::new();

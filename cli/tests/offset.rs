@@ -233,11 +233,11 @@ const NECK: &str = "G00 X10. Y10.\nG41 D1 G01 X0. F600\nY0.\nX20.\nY8.5\nX30.\nY
 #[test]
 fn interference_shows_both_blocks() {
     let folder = folder(&[("neck.nc", NECK)]);
-    let said = failure(folder.path(), "offset neck.nc --radius 2", 1);
-    let shown = said.split("Error: ").find(|said| said.contains("line 12,")).unwrap();
+    let wrong = failure(folder.path(), "offset neck.nc --radius 2", 1);
+    let shown = wrong.split("Error: ").find(|part| part.contains("line 12,")).unwrap();
     for words in ["neck.nc:6:1", "6 │ X30.", "line 6, column 1", "12 │ X20.", "line 12, column 1"]
     {
-        assert!(shown.contains(words), "{words}: {said}");
+        assert!(shown.contains(words), "{words}: {wrong}");
     }
     // The picture has room for the contour, and a margin of 4 %; text stands upright in it.
     let output = onepulse(folder.path(), "offset neck.nc --radius 2 --format svg");
@@ -245,7 +245,7 @@ fn interference_shows_both_blocks() {
     for words in [
         "viewBox=\"-2000.0 -22000.0 54000.0 24000.0\"",
         "cx=\"30000.0000\" cy=\"11500.0000\" r=\"2000.0000\"",
-        "<text x=\"30000.0000\" y=\"-11500.0000\">lines 6 and 12</text>",
+        "<text x=\"30000.0000\" y=\"-11500.0000\">lines 6, 11, 12</text>",
     ] {
         assert!(picture.contains(words), "{words}: {picture}");
     }
@@ -262,12 +262,12 @@ fn what_is_said_fits_the_errors() {
     ]);
     let there_may_be_more = "These are the first 20";
     assert!(failure(folder.path(), "offset twenty.nc", 1).contains(there_may_be_more));
-    let said = failure(folder.path(), "offset nineteen.nc", 1);
-    assert!(!said.contains(there_may_be_more) && !said.contains("A picture"), "{said}");
+    let wrong = failure(folder.path(), "offset nineteen.nc", 1);
+    assert!(!wrong.contains(there_may_be_more) && !wrong.contains("A picture"), "{wrong}");
     // What stands before is counted in characters, and the label is there all the same.
-    let said = failure(folder.path(), "offset wide.nc", 1);
+    let wrong = failure(folder.path(), "offset wide.nc", 1);
     for words in ["wide.nc:2:10", "2 │ (圆弧) G01 Q5", "line 2, column 10"] {
-        assert!(said.contains(words), "{words}: {said}");
+        assert!(wrong.contains(words), "{words}: {wrong}");
     }
 }
 
@@ -276,9 +276,9 @@ fn what_is_said_fits_the_errors() {
 fn options_that_change_nothing_are_taken() {
     let outside = SQUARE.replace("G00 X-10.", "G00 X10.").replace("X-10. Y-10.", "X-10. Y10.");
     let folder = folder(&[("square.nc", &outside)]);
-    let b = text(folder.path(), "offset square.nc --radius 2 --type b");
-    assert_eq!(text(folder.path(), "offset square.nc --radius 2 --type b --corners arcs"), b);
-    let along = text(folder.path(), "offset square.nc --radius 0");
+    let b = said(folder.path(), "offset square.nc --radius 2 --type b");
+    assert_eq!(said(folder.path(), "offset square.nc --radius 2 --type b --corners arcs"), b);
+    let along = said(folder.path(), "offset square.nc --radius 0");
     let row = "line,0.000000,0.000000,0.000000,20.000000,,,3,offset";
     assert!(along.lines().any(|line| line == row), "{along}");
 }
@@ -291,11 +291,11 @@ fn a_program_of_the_path_has_all_words() {
     let folder = folder(&[("all.nc", ALL)]);
     let due = "%\nG21 G90 G17 G40\nG00 X-0.5 S1200.5 T1\nG04 P0.05\nG01 X1. F100.\nG01 X2. F200.\nM00\n\
                G01 X3.\nG02 I5. J0.\nG18 G03 X5. Z2. K0. I2.\nG17 G01 Y1. S0 T2\nM30\n%\n";
-    assert_eq!(text(folder.path(), "offset all.nc --format ngc"), due);
+    assert_eq!(said(folder.path(), "offset all.nc --format ngc"), due);
     // An arc whose ends meet in whole picometres does not become a whole turn.
     let tiny = "G00 X-10. Y10.\nG41 G01 X0. Y0. F600\nG03 X0.000000001 Y0.000000001 I-20. J20.\nG40 G01 X-9.\n";
     fs::write(folder.path().join("tiny.nc"), tiny).unwrap();
-    let ngc = text(folder.path(), "offset tiny.nc --radius 3.59 --format ngc");
+    let ngc = said(folder.path(), "offset tiny.nc --radius 3.59 --format ngc");
     assert!(!ngc.contains("G03"), "{ngc}");
 }
 
@@ -306,7 +306,7 @@ fn rows_of_arcs_in_every_plane() {
         ("turn.nc", "G00 X10.\nG18 G02 I5. F1\n"),
         ("low.nc", "G00 X-0.3 Y-0.4\nG03 X0.3 R0.5 F1\n"),
     ]);
-    let rows = |name: &str| text(folder.path(), &format!("offset {name}.nc"));
+    let rows = |name: &str| said(folder.path(), &format!("offset {name}.nc"));
     let all = rows("all");
     for row in [
         "cw,3.000000,0.000000,3.000000,0.000000,8.000000,0.000000,7,feed,0.000000,0.000000,",
@@ -341,7 +341,7 @@ fn pictures_draw_arcs_as_they_turn() {
         ("G02 X0. Y-20. I-20.", format!("{circle} 0 0 0.0000 -20000.0000")),
     ] {
         let folder = folder(&[("arc.nc", &format!("G00 X20.\n{block} F1\n"))]);
-        let picture = text(folder.path(), "offset arc.nc --format svg");
+        let picture = said(folder.path(), "offset arc.nc --format svg");
         let due = [
             "<path class=\"r\" d=\"M0.0000 0.0000L20000.0000 0.0000\"/>".to_owned(),
             format!("<path class=\"f\" d=\"M20000.0000 0.0000{d}\"/>"),
@@ -355,7 +355,7 @@ fn pictures_draw_arcs_as_they_turn() {
 fn pictures_have_room_for_all() {
     let folder = folder(&[("square.nc", SQUARE), ("up.nc", "G00 X10. Y20.\nG01 X30. F1\n")]);
     let view = |options: &str| {
-        let picture = text(folder.path(), &format!("offset {options} --format svg"));
+        let picture = said(folder.path(), &format!("offset {options} --format svg"));
         let (_, rest) = picture.split_once("viewBox=\"").unwrap();
         rest.split_once('"').unwrap().0.to_owned()
     };
@@ -373,7 +373,7 @@ fn pictures_are_of_the_plane_of_the_first_contour() {
         "G19\nG00 Y-10. Z-10.\nG41 G01 Y0. Z0. F300\nZ20.\nY20.\nZ0.\nY0.\nG40 Y-10. Z-10.\n";
     let program = format!("{in_yz}G17\nG02 I5.\n{SQUARE}");
     let folder = folder(&[("two.nc", &program)]);
-    let picture = text(folder.path(), "offset two.nc --radius 2 --format svg");
+    let picture = said(folder.path(), "offset two.nc --radius 2 --format svg");
     let of = |class: &str| -> Vec<_> {
         let class = format!("class=\"{class}\"");
         drawn(&picture).into_iter().filter(|line| line.contains(&class)).collect()

@@ -1,13 +1,10 @@
 //! Planning: from the text of an NC program to curves in whole pulses.
 //!
-//! [`gcode`] reads the program, block by block, and [`compensation`] puts the path the tool's radius away
-//! from the contour. The other way of interpolating, in millimetres and seconds, is that of the loops
-//! closed by software: [`speed`] plans the acceleration through a whole program, [`sampling`] makes
-//! the points of a line or an arc at a constant feed, [`after_interpolation`] gives the axes their
-//! ramps, and [`servo`] says what the axes make of it.
-//!
-//!
-//! [`centre_path`] then makes the path of the cutter's centre, with the geometry of [`compensation`].
+//! [`gcode`] reads the program, block by block. [`centre_path`] makes of it the path of the cutter's centre,
+//! with the geometry of [`compensation`], in whole pulses. The other way of interpolating, in millimetres
+//! and seconds, is that of the loops closed by software: [`speed`] plans the acceleration through a whole
+//! program, [`sampling`] makes the points of a line or an arc at a constant feed, [`after_interpolation`]
+//! gives the axes their ramps, and [`servo`] says what the axes make of it.
 //!
 //! ```
 //! use onepulse_plan::centre_path::{CentrePath, Compensation};

@@ -48,7 +48,14 @@ pub(super) fn gouges(gouges: &[Gouge]) -> String {
                 frame.include(centre.map(|c| c * SCALE), off * SCALE);
             }
         }
+        // One label for all in one place.
+        let mut lines: Vec<([f64; 2], Vec<u32>)> = Vec::new();
         for overcut in overcuts {
+            let both = [Some(overcut.line), overcut.other_line].into_iter().flatten();
+            match lines.iter_mut().find(|(at, _)| *at == overcut.at) {
+                Some((_, known)) => known.extend(both),
+                None => lines.push((overcut.at, both.collect())),
+            }
             let [x, y] = overcut.at.map(|c| c * SCALE);
             let radius = radius * SCALE;
             frame.include([x, y], radius);
@@ -56,12 +63,20 @@ pub(super) fn gouges(gouges: &[Gouge]) -> String {
                 text,
                 "<circle class=\"g\" cx=\"{x:.4}\" cy=\"{y:.4}\" r=\"{radius:.4}\"/>"
             );
-            let lines = match overcut.other_line {
-                Some(other) => format!("lines {} and {other}", overcut.line),
-                None => format!("line {}", overcut.line),
-            };
+        }
+        for (at, mut numbers) in lines {
+            numbers.sort_unstable();
+            numbers.dedup();
+            let numbers: Vec<_> = numbers.iter().map(u32::to_string).collect();
+            let name = if numbers.len() == 1 { "line" } else { "lines" };
+            let [x, y] = at.map(|c| c * SCALE);
             // Text stands upright outside the mirrored group.
-            let _ = writeln!(labels, "<text x=\"{x:.4}\" y=\"{:.4}\">{lines}</text>", -y);
+            let _ = writeln!(
+                labels,
+                "<text x=\"{x:.4}\" y=\"{:.4}\">{name} {}</text>",
+                -y,
+                numbers.join(", ")
+            );
         }
     }
     frame.svg_with(&text, &labels)

@@ -26,7 +26,14 @@ pub(super) fn diagnostic(overcut: &Overcut, places: &[&Place]) -> Diagnostic {
     Diagnostic {
         place: place(overcut.line).unwrap_or_else(unknown),
         also: overcut.other_line.and_then(place).into_iter().collect(),
-        message: overcut.kind.to_string(),
+        message: match (overcut.kind, overcut.other_line) {
+            (OvercutKind::Interference { distance, radius }, Some(other)) => format!(
+                "along line {} the cutter cuts {:.6} mm into line {other}",
+                overcut.line,
+                radius - distance
+            ),
+            (kind, _) => kind.to_string(),
+        },
         help: help.into(),
     }
 }

@@ -131,8 +131,7 @@ impl<R: BufRead> Program<R> {
         if self.wrong.len() >= MOST_ERRORS {
             return;
         }
-        // The end of an empty file is on its first line.
-        let place = Place { line: self.line.max(1), text: self.text.clone(), span };
+        let place = Place { line: self.line, text: self.text.clone(), span };
         self.wrong.push(Diagnostic { place, also: Vec::new(), message, help });
     }
 
