@@ -7,7 +7,7 @@
 use super::course::Course;
 use super::curve::{Curve, End, TOUCH};
 use super::vector::{Vector, distance, dot, scaled};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
 /// How many blocks may lead in, and how many out: an arc, and one on the way to it.
@@ -56,12 +56,14 @@ pub(super) fn is_closed(curves: &[Curve]) -> bool {
     }
 }
 
-/// Whether a block is an arc that is tangent to the contour where it joins it, and bends more towards the tool.
+/// Whether a block is an arc of half a turn at most that is tangent to the contour where it joins it, and bends
+/// towards the tool, more than the contour by a tenth.
 fn joins(block: &Curve, lead: &End, contour: &End) -> bool {
     let angle = turn(contour, lead.tangent);
     !block.is_line()
         && (angle <= TANGENT || angle >= TAU - TANGENT)
-        && lead.curvature > contour.curvature
+        && lead.curvature > 1.1 * contour.curvature.max(0.0)
+        && block.length * lead.curvature <= PI + TANGENT
 }
 
 /// Whether a direction from the point in which a closed contour begins and ends is on the tool's side of it.

@@ -151,12 +151,14 @@ impl Followed {
         }
         self.section = section;
         let (contour, path) = (std::mem::take(&mut self.contour), std::mem::take(&mut self.path));
-        let ([before, after], is_closed) = leads(&contour);
-        let contour = &contour[before..contour.len() - after];
-        let exactness = if is_closed { EXACTNESS_OF_SEAMS } else { EXACTNESS };
+        let leads = leads(&contour);
+        let exactness = if leads.is_some() { EXACTNESS_OF_SEAMS } else { EXACTNESS };
         for part in &path {
             for point in samples(part) {
-                for (block, _) in contour.iter().filter(|(_, is_machined)| *is_machined) {
+                for (place, (block, is_machined)) in contour.iter().enumerate() {
+                    if !is_machined || leads.as_ref().is_some_and(|leads| leads[place]) {
+                        continue;
+                    }
                     let away = away(block, point);
                     assert!(
                         away >= self.radius - exactness,
@@ -188,24 +190,27 @@ impl Followed {
     }
 }
 
-/// How many blocks may lead in to a closed part of a contour, and how many out: two at most, and the one
-/// at the closed part is an arc. And whether there is such a part.
-fn leads(contour: &[(Element, bool)]) -> ([usize; 2], bool) {
-    let (mut most, mut has_closed) = ([0; 2], false);
+/// Which blocks of a contour may lead in to a closed part of it or out: two at most, and the one at the closed
+/// part is an arc. None if no part is closed.
+fn leads(contour: &[(Element, bool)]) -> Option<Vec<bool>> {
+    let mut leads = vec![false; contour.len()];
+    let mut has_closed = false;
     let is_arc = |block: &(Element, bool)| matches!(block.0, Element::Arc { .. });
     for (before, after) in (0..=2).flat_map(|before| (0..=2).map(move |after| (before, after))) {
         if before + after >= contour.len() {
             continue;
         }
-        let closed = &contour[before..contour.len() - after];
-        let is_led = (before == 0 || is_arc(&contour[before - 1]))
-            && (after == 0 || is_arc(&contour[contour.len() - after]));
+        let end = contour.len() - after;
+        let closed = &contour[before..end];
+        let is_led =
+            (before == 0 || is_arc(&contour[before - 1])) && (after == 0 || is_arc(&contour[end]));
         if is_led && closed[0].0.ends()[0] == closed[closed.len() - 1].0.ends()[1] {
-            most = [most[0].max(before), most[1].max(after)];
+            leads[..before].fill(true);
+            leads[end..].fill(true);
             has_closed = true;
         }
     }
-    (if most[0] + most[1] < contour.len() { most } else { [0; 2] }, has_closed)
+    has_closed.then_some(leads)
 }
 
 /// A step's curve in its plane.

@@ -93,6 +93,22 @@ fn edges_of_the_part_do_not_lead_in() {
 }
 
 #[test]
+fn an_arc_along_the_contour_does_not_lead_in() {
+    // A quarter of a turn about nearly the same centre, outside and inside.
+    for side in [Side::Left, Side::Right] {
+        let quarter = arc([15.0, 5.0], [5.0, 5.0], [10.0, 10.0], Cw);
+        let circle = arc([5.0, 5.0], [5.0, 5.0], [10.05, 10.0], Cw);
+        let section = section(&[
+            line([15.0, -30.0], [15.0, 5.0]),
+            quarter,
+            circle,
+            line([5.0, 5.0], [5.0, -30.0]),
+        ]);
+        assert_eq!(protected(&Course::new(&section, side, 1.0).unwrap()), 1..3);
+    }
+}
+
+#[test]
 fn two_blocks_lead_in_and_no_more() {
     let arc = arc([8.0, -8.0], [0.0, 0.0], [0.0, -8.0], Ccw);
     let after = [line([0.0, 0.0], [-30.0, 0.0])];
